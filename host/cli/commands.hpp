@@ -1,0 +1,13 @@
+// The commands of the quell tool. Each adds itself to the command line; its callback throws quell::Error,
+// which main() turns into a message and exit code 1 (CLI11 answers usage errors itself).
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace quell::cli {
+
+void addDenoiseCommand(CLI::App& app);
+void addCompareCommand(CLI::App& app);
+void addDevicesCommand(CLI::App& app);
+
+}  // namespace quell::cli

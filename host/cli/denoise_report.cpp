@@ -1,0 +1,149 @@
+#include "host/cli/denoise_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace quell::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kMebibyte = 1024.0 * 1024.0;
+
+json settingsJson(const Settings& settings) {
+  json result = json::object();
+  for (const SettingDescription& setting : settings.descriptions()) {
+    const bool text = setting.kind == SettingKind::Boolean || setting.kind == SettingKind::Choice;
+    if (text) {
+      result[setting.name] = settings.text(setting.name);
+    } else {
+      result[setting.name] = settings.get(setting.name);
+    }
+  }
+  return result;
+}
+
+json statisticsJson(const TimeStatistics& time) {
+  return {{"median", time.medianMs}, {"min", time.minMs}, {"max", time.maxMs}};
+}
+
+// JSON has no NaN and no infinity.
+json number(double value) {
+  return std::isfinite(value) ? json(value) : json(nullptr);
+}
+json number(const std::optional<double>& value) {
+  return value ? number(*value) : json(nullptr);
+}
+
+json figuresJson(const metrics::ErrorFigures& figures) {
+  return {{"rmse", number(figures.rmse)}, {"unbiased_rmse", number(figures.unbiasedRmse)},
+          {"psnr", number(figures.psnr)}, {"ssim", number(figures.ssim)},
+          {"flip", number(figures.flip)}, {"relmse", number(figures.relMse)}};
+}
+
+const char* sourceName(TimeSource source) {
+  return source == TimeSource::Device ? "device" : "host";
+}
+
+void addTimings(json& result, const Timings& timings) {
+  result["time_source"] = sourceName(timings.source);
+  result["frame_ms"] = statisticsJson(timings.frame);
+  result["stages"] = json::array();
+  for (const StageTimings& stage : timings.stages) {
+    result["stages"].push_back({{"name", stage.stage},
+                                {"median_ms", stage.time.medianMs},
+                                {"min_ms", stage.time.minMs},
+                                {"max_ms", stage.time.maxMs},
+                                {"bytes", stage.bytesMoved}});
+  }
+}
+
+void printRow(const std::string& name, const TimeStatistics& time, std::uint64_t bytes,
+              const DenoiseReport& report) {
+  const double gbs = time.medianMs > 0.0 ? static_cast<double>(bytes) * 1e-6 / time.medianMs : 0.0;
+  fmt::print("  {:<24}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.1f}{:>8.1f}", name, time.medianMs, time.minMs, time.maxMs,
+             static_cast<double>(bytes) * 1e-6, gbs);
+  if (report.copyMs)
+    fmt::print("{:>8.1f}{:>7.0f} %", time.medianMs / *report.copyMs, 100.0 * gbs / *report.copyGbs);
+  fmt::print("\n");
+}
+
+void printTimings(const DenoiseReport& report) {
+  const Timings& timings = *report.timings;
+  fmt::print("\n  {:<24}{:>9}{:>9}{:>9}{:>9}{:>8}",
+             fmt::format("stage ({} time, ms)", sourceName(timings.source)), "median", "min", "max", "MB",
+             "GB/s");
+  if (report.copyMs) fmt::print("{:>8}{:>9}", "copies", "of copy");
+  fmt::print("\n");
+  TimeStatistics sum;
+  std::uint64_t bytes = 0;
+  for (const StageTimings& stage : timings.stages) {
+    printRow(stage.stage, stage.time, stage.bytesMoved, report);
+    sum.medianMs += stage.time.medianMs;
+    sum.minMs += stage.time.minMs;
+    sum.maxMs += stage.time.maxMs;
+    bytes += stage.bytesMoved;
+  }
+  printRow("sum of stages", sum, bytes, report);
+  printRow("frame, gaps included", timings.frame, bytes, report);
+  if (report.copyMs)
+    fmt::print("  one copy (22.1 MB at {:.1f} GB/s) takes {:.3f} ms\n", *report.copyGbs, *report.copyMs);
+}
+
+std::string text(const std::optional<double>& value) {
+  return value ? fmt::format("{:.4f}", *value) : "-";
+}
+
+void printFigures(const std::string& name, const metrics::ErrorFigures& figures) {
+  fmt::print("  {:<24}{:>9.4f}{:>10}{:>9.2f}{:>9.3f}{:>9.4f}{:>9}\n", name, figures.rmse,
+             text(figures.unbiasedRmse), figures.psnr, figures.ssim, figures.flip, text(figures.relMse));
+}
+
+void printErrors(const std::vector<FrameErrors>& errors) {
+  fmt::print("\n  {:<24}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}\n", "error", "RMSE", "unbiased", "PSNR", "SSIM",
+             "FLIP", "relMSE");
+  for (const FrameErrors& frame : errors) {
+    printFigures(fmt::format("frame {} noisy input", frame.frame), frame.noisy);
+    printFigures(fmt::format("frame {} denoised", frame.frame), frame.linear);
+    printFigures(fmt::format("frame {} display", frame.frame), frame.display);
+  }
+}
+
+}  // namespace
+
+json toJson(const DenoiseReport& report) {
+  json result = {{"device", report.device.name},
+                 {"driver", report.device.driverVersion},
+                 {"method", report.settings.method()},
+                 {"settings", settingsJson(report.settings)},
+                 {"width", report.size.width},
+                 {"height", report.size.height},
+                 {"frames", report.frames},
+                 {"memory_bytes", report.memory.totalBytes},
+                 {"output_hash", report.outputHash}};
+  if (report.timings) addTimings(result, *report.timings);
+  if (report.copyMs) {
+    result["copy_ms"] = *report.copyMs;
+    result["copy_gbs"] = *report.copyGbs;
+  }
+  if (!report.errors.empty()) result["errors"] = json::array();
+  for (const FrameErrors& frame : report.errors) {
+    result["errors"].push_back({{"frame", frame.frame},
+                                {"noisy", figuresJson(frame.noisy)},
+                                {"linear", figuresJson(frame.linear)},
+                                {"display", figuresJson(frame.display)}});
+  }
+  return result;
+}
+
+void print(const DenoiseReport& report) {
+  fmt::print("{}, {} frames of {}x{} on {} (driver {})\n", report.settings.method(), report.frames,
+             report.size.width, report.size.height, report.device.name, report.device.driverVersion);
+  fmt::print("device memory {:.1f} MiB, output hash {}\n",
+             static_cast<double>(report.memory.totalBytes) / kMebibyte, report.outputHash);
+  if (report.timings) printTimings(report);
+  if (!report.errors.empty()) printErrors(report.errors);
+}
+
+}  // namespace quell::cli

@@ -1,0 +1,62 @@
+#include "host/cli/output_files.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "host/io/exr_image.hpp"
+#include "host/io/png_image.hpp"
+#include "host/metrics/display_encoding.hpp"
+
+namespace quell::cli {
+namespace {
+
+void paste(io::Image& target, const io::Image& source, int column) {
+  for (int y = 0; y < source.height; ++y)
+    for (int x = 0; x < source.width; ++x)
+      for (int c = 0; c < 3; ++c) target.at(column + x, y, c) = source.at(x, y, c);
+}
+
+io::Image meanOfHalves(const io::Reference& reference) {
+  if (reference.b.empty()) return reference.a;
+  io::Image mean = reference.a;
+  for (std::size_t i = 0; i < mean.pixels.size(); ++i)
+    mean.pixels[i] = 0.5f * (mean.pixels[i] + reference.b.pixels[i]);
+  return mean;
+}
+
+}  // namespace
+
+OutputFiles::OutputFiles(std::string directory, OutputFormats formats)
+    : m_directory(std::move(directory)), m_formats(formats) {
+  std::error_code failure;
+  std::filesystem::create_directories(m_directory, failure);
+  if (failure) {
+    throw Error(ErrorCode::FileError,
+                {"denoise", m_directory, "a directory that can be created or exists", failure.message()});
+  }
+}
+
+std::string OutputFiles::path(const char* prefix, int frame, const char* extension) const {
+  return (std::filesystem::path(m_directory) / fmt::format("{}_{:04d}.{}", prefix, frame, extension))
+      .string();
+}
+
+void OutputFiles::write(int frame, const DenoisedFrame& denoised) const {
+  io::writeExr(path("denoised", frame, "exr"), denoised.linear);
+  if (m_formats.png) io::writePng(path("display", frame, "png"), denoised.display);
+  if (m_formats.exr) io::writeExr(path("display", frame, "exr"), denoised.display);
+}
+
+void OutputFiles::writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,
+                                  const io::Reference& reference) const {
+  const int width = denoised.display.width;
+  io::Image sheet(3 * width, denoised.display.height, 3);
+  paste(sheet, metrics::encodeForDisplay(noisy.radiance), 0);
+  paste(sheet, denoised.display, width);
+  paste(sheet, metrics::encodeForDisplay(meanOfHalves(reference)), 2 * width);
+  io::writePng(path("comparison", noisy.number, "png"), sheet);
+}
+
+}  // namespace quell::cli

@@ -1,0 +1,37 @@
+// What the denoise command leaves in its output directory.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/cli/denoise_session.hpp"
+#include "host/io/frame_sequence.hpp"
+
+namespace quell::cli {
+
+struct OutputFormats {
+  bool png = true;   ///< display_%04d.png
+  bool exr = false;  ///< display_%04d.exr
+};
+
+class OutputFiles {
+ public:
+  /// Creates the directory. Throws Error(FileError).
+  OutputFiles(std::string directory, OutputFormats formats);
+
+  /// denoised_%04d.exr (linear, before tone map and TAA, half, ZIP) and the display image in the chosen
+  /// formats.
+  void write(int frame, const DenoisedFrame& denoised) const;
+
+  /// comparison_%04d.png: noisy | denoised | reference, side by side.
+  void writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,
+                       const io::Reference& reference) const;
+
+ private:
+  std::string path(const char* prefix, int frame, const char* extension) const;
+
+  std::string m_directory;
+  OutputFormats m_formats;
+};
+
+}  // namespace quell::cli

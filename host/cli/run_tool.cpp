@@ -1,0 +1,30 @@
+#include "host/cli/run_tool.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <quell/error.hpp>
+
+#include "host/cli/commands.hpp"
+
+namespace quell::cli {
+
+int runTool(int argc, const char* const* argv) {
+  CLI::App app{"Quell removes the noise from path-traced frame sequences on any OpenCL device.", "quell"};
+  app.require_subcommand(1);
+  addDenoiseCommand(app);
+  addCompareCommand(app);
+  addDevicesCommand(app);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "quell: {}\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace quell::cli

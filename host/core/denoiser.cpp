@@ -1,0 +1,336 @@
+#include <quell/denoiser.hpp>
+#include <utility>
+
+#include "host/core/cl_error.hpp"
+#include "host/core/frame_timer.hpp"
+#include "host/core/reprojection.hpp"
+#include "host/core/schedule.hpp"
+#include "host/core/stage.hpp"
+#include "host/core/validation.hpp"
+#include "host/methods/method.hpp"
+
+namespace quell {
+namespace {
+
+void checkHandles(cl_context context, cl_device_id device, cl_command_queue queue) {
+  const auto require = [](bool present, const char* name) {
+    if (!present) throw Error(ErrorCode::InvalidArgument, {"Denoiser", name, "an OpenCL handle", "null"});
+  };
+  require(context != nullptr, "context");
+  require(device != nullptr, "device");
+  require(queue != nullptr, "queue");
+}
+
+void checkQueue(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue,
+                const Options& options) {
+  if (queue.getInfo<CL_QUEUE_CONTEXT>()() != context())
+    throw Error(ErrorCode::WrongContext,
+                {"Denoiser", "queue", "a queue of the given context", "another context's"});
+  if (queue.getInfo<CL_QUEUE_DEVICE>()() != device())
+    throw Error(ErrorCode::WrongContext,
+                {"Denoiser", "queue", "a queue of the given device", "another device's"});
+  const bool profiling = (queue.getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_PROFILING_ENABLE) != 0;
+  if (options.timers == TimerMode::Device && !profiling) {
+    throw Error(ErrorCode::InvalidArgument,
+                {"Denoiser", "options.timers", "a queue with CL_QUEUE_PROFILING_ENABLE for device timers",
+                 "a queue without it"});
+  }
+}
+
+void checkOptions(const Options& options) {
+  const auto refuse = [](const char* name, const char* expected, int got) {
+    throw Error(ErrorCode::InvalidArgument, {"Denoiser", name, expected, std::to_string(got)});
+  };
+  for (const int extent : options.workGroup)
+    if (extent < 0) refuse("options.workGroup", "0 or a positive number of work-items", extent);
+  const int group = options.fitGroup;
+  if (group < 0 || group > 256 || (group & (group - 1)) != 0)
+    refuse("options.fitGroup", "0 or a power of two up to 256", group);
+}
+
+/// Enqueues the kernels of one frame and chains them on out-of-order queues.
+class QueueRun : public FrameRun {
+ public:
+  QueueRun(const Configuration& c, const Frame& f, const Output& o, const ReprojectionParams& r,
+           std::uint32_t index, const BufferSet& buffers, const cl::CommandQueue& queue,
+           std::vector<cl::Event> waitFor, bool chain, bool keepEvents)
+      : FrameRun(c, f, o, r, index),
+        m_buffers(buffers),
+        m_queue(queue),
+        m_waitFor(std::move(waitFor)),
+        m_chain(chain),
+        m_keepEvents(keepEvents) {}
+
+  const cl::Buffer& buffer(const std::string& name) const override {
+    return m_buffers.get(name, static_cast<int>(frameIndex % 2));
+  }
+
+  void beginStage(std::size_t stage, bool last) {
+    m_stage = stage;
+    m_lastStage = last;
+  }
+  const cl::Event& lastEvent() const { return m_lastEvent; }
+  const std::vector<std::pair<std::size_t, cl::Event>>& events() const { return m_events; }
+
+ protected:
+  void enqueue(const cl::Kernel& kernel, std::array<std::size_t, 2> global,
+               const cl::NDRange& local) override {
+    const auto padded = [](std::size_t items, std::size_t group) {
+      return (items + group - 1) / group * group;
+    };
+    const cl::NDRange range(padded(global[0], local[0]), padded(global[1], local[1]));
+    const bool wantEvent = m_chain || m_keepEvents || m_lastStage;
+    cl::Event event;
+    m_queue.enqueueNDRangeKernel(kernel, cl::NullRange, range, local,
+                                 m_waitFor.empty() ? nullptr : &m_waitFor, wantEvent ? &event : nullptr);
+    m_waitFor.clear();
+    if (m_chain) m_waitFor.push_back(event);
+    if (m_keepEvents) m_events.emplace_back(m_stage, event);
+    m_lastEvent = event;
+  }
+
+ private:
+  const BufferSet& m_buffers;
+  const cl::CommandQueue& m_queue;
+  std::vector<cl::Event> m_waitFor;
+  bool m_chain;
+  bool m_keepEvents;
+  std::size_t m_stage = 0;
+  bool m_lastStage = false;
+  cl::Event m_lastEvent;
+  std::vector<std::pair<std::size_t, cl::Event>> m_events;
+};
+
+/// Stand-ins for the caller's images while kernels are launched for the first time.
+class WarmUpImages {
+ public:
+  WarmUpImages(const cl::Context& context, const cl::CommandQueue& queue, const Frame& layout,
+               const Output& outputLayout)
+      : frame(layout), output(outputLayout) {
+    for (ImageView* view :
+         {&frame.radiance, &frame.normalWorld, &frame.positionWorld, &frame.viewDepth, &frame.albedo,
+          &frame.glossColor, &frame.emission, &output.linear, &output.display}) {
+      if (!view->present()) continue;
+      const std::size_t bytes = view->requiredBytes(layout.size);
+      m_buffers.emplace_back(context, CL_MEM_READ_WRITE, bytes);
+      queue.enqueueFillBuffer(m_buffers.back(), cl_uchar(0), 0, bytes);
+      view->memory = m_buffers.back()();
+    }
+    // Any camera will do; this one looks along -z.
+    frame.camera.worldToClip = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0};
+    frame.camera.worldToClipPrev = frame.camera.worldToClip;
+  }
+
+  Frame frame;
+  Output output;
+
+ private:
+  std::vector<cl::Buffer> m_buffers;
+};
+
+}  // namespace
+
+class Denoiser::Implementation {
+ public:
+  Implementation(cl_context context, cl_device_id device, cl_command_queue queue, const Settings& settings,
+                 const Options& options)
+      : m_context(context, true),
+        m_device(device, true),
+        m_queue(queue, true),
+        m_cache(options.cacheDirectory ? *options.cacheDirectory : defaultCacheDirectory()),
+        m_method(findMethod(settings.method())),
+        m_configuration{{}, options, settings, {}, {}} {
+    checkQueue(m_context, m_device, m_queue, options);
+    m_configuration.device = queryDeviceTraits(m_device, options.mapping);
+    m_outOfOrder = (m_queue.getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE) != 0;
+  }
+
+  void prepare(const Frame& frame, const Output& output) {
+    m_prepared = false;
+    checkLayout(frame, output);
+    if (frame.viewDepth.present() && isOrthographic(frame.camera.worldToClip) &&
+        frame.camera.worldToClip != Matrix4{})
+      throw Error(ErrorCode::InvalidArgument,
+                  {"prepare", "viewDepth", "a perspective camera", "an orthographic one"});
+    if (m_lastEvent() != nullptr) m_lastEvent.wait();  // buffers may be in use
+    m_timer.reset();
+    m_buffers = BufferSet();
+    m_configuration.frame = frame;
+    m_configuration.output = output;
+
+    m_schedule = m_method.makeSchedule(m_configuration);
+    const KernelBuilder builder(m_context, m_device, m_cache, m_configuration);
+    for (StageRow& row : m_schedule.stages) row.stage->build(builder);
+    m_buffers = BufferSet(m_context, m_queue, m_schedule, frame.size);
+    warmUp();
+    m_frameIndex = 0;
+    m_prepared = true;
+  }
+
+  Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList) {
+    if (!m_prepared)
+      throw Error(ErrorCode::NotPrepared,
+                  {"denoise", "", "a call of prepare() before", "none that succeeded"});
+    checkSameLayout(m_configuration.frame, m_configuration.output, frame, output);
+    checkMemory(frame, output, m_context());
+    checkHalfPositions(frame);
+    if (frame.viewDepth.present() && isOrthographic(frame.camera.worldToClip))
+      throw Error(ErrorCode::InvalidArgument,
+                  {"denoise", "viewDepth", "a perspective camera", "an orthographic one"});
+    std::vector<cl::Event> waitFor;
+    for (cl_event event : waitList) {
+      if (event == nullptr)
+        throw Error(ErrorCode::InvalidArgument, {"denoise", "waitList", "events", "a null event"});
+      waitFor.emplace_back(event, true);
+    }
+    const cl::Event last = record(frame, output, std::move(waitFor));
+    return Event(retain(last()));
+  }
+
+  void resetHistory() { m_frameIndex = 0; }
+
+  MemoryUse memoryUse() const { return m_buffers.memoryUse(); }
+
+  Timings timings() { return m_timer ? m_timer->collect() : Timings{}; }
+
+  void clearTimings() {
+    if (m_timer) m_timer->clear();
+  }
+
+  const Settings& settings() const { return m_configuration.settings; }
+
+ private:
+  static cl_event retain(cl_event event) {
+    clRetainEvent(event);
+    return event;
+  }
+
+  cl::Event record(const Frame& frame, const Output& output, std::vector<cl::Event> waitFor) {
+    const bool historyValid = m_frameIndex > 0;
+    const ReprojectionParams reprojection = makeReprojectionParams(
+        frame.camera, frame.size, m_method.discardLimits(m_configuration.settings), historyValid);
+    if (m_outOfOrder && m_lastEvent() != nullptr) waitFor.push_back(m_lastEvent);
+    const bool keepEvents = m_timer != nullptr || m_keepWarmUpEvents;
+    QueueRun run(m_configuration, frame, output, reprojection, m_frameIndex, m_buffers, m_queue,
+                 std::move(waitFor), m_outOfOrder, keepEvents);
+    for (std::size_t i = 0; i < m_schedule.stages.size(); ++i) {
+      run.beginStage(i, i + 1 == m_schedule.stages.size());
+      m_schedule.stages[i].stage->enqueue(run);
+    }
+    m_lastEvent = run.lastEvent();
+    ++m_frameIndex;
+    if (m_timer) {
+      for (const auto& [stage, event] : run.events()) m_timer->add(stage, event);
+      m_timer->endFrame();
+    }
+    return m_lastEvent;
+  }
+
+  // Machine code is often made at the first launch; nobody should wait for it in a frame.
+  void warmUp() {
+    const WarmUpImages images(m_context, m_queue, m_configuration.frame, m_configuration.output);
+    m_frameIndex = 0;
+    m_keepWarmUpEvents = m_configuration.options.timers == TimerMode::Device;
+    record(images.frame, images.output, {});
+    m_keepWarmUpEvents = false;
+    m_queue.finish();
+    startTimer();
+  }
+
+  void startTimer() {
+    const TimerMode mode = m_configuration.options.timers;
+    if (mode == TimerMode::Off) return;
+    const bool device = mode == TimerMode::Device && FrameTimer::hasDeviceTimes(m_lastEvent);
+    std::vector<std::string> names;
+    std::vector<std::uint64_t> bytes;
+    for (const StageRow& row : m_schedule.stages) {
+      names.push_back(row.stage->name());
+      bytes.push_back(bytesMoved(row));
+    }
+    m_timer = std::make_unique<FrameTimer>(std::move(names), std::move(bytes),
+                                           device ? TimeSource::Device : TimeSource::Host);
+  }
+
+  std::uint64_t bytesMoved(const StageRow& row) const {
+    std::uint64_t bytes = row.stage->callerBytes(m_configuration);
+    for (const BufferSpec& spec : m_schedule.buffers) {
+      for (const auto* names : {&row.reads, &row.writes})
+        for (const std::string& name : *names)
+          if (name == spec.name || name == spec.name + ".prev")
+            bytes += payloadBytes(spec, m_configuration.size());
+    }
+    return bytes;
+  }
+
+  cl::Context m_context;
+  cl::Device m_device;
+  cl::CommandQueue m_queue;
+  ProgramCache m_cache;
+  const Method& m_method;
+  Configuration m_configuration;
+  Schedule m_schedule;
+  BufferSet m_buffers;
+  std::unique_ptr<FrameTimer> m_timer;
+  cl::Event m_lastEvent;
+  std::uint32_t m_frameIndex = 0;
+  bool m_outOfOrder = false;
+  bool m_prepared = false;
+  bool m_keepWarmUpEvents = false;
+};
+
+Denoiser::Denoiser(cl_context context, cl_device_id device, cl_command_queue queue, const Settings& settings,
+                   const Options& options) {
+  checkHandles(context, device, queue);
+  checkOptions(options);
+  m_implementation = withClErrors("Denoiser", [&] {
+    return std::make_unique<Implementation>(context, device, queue, settings, options);
+  });
+}
+
+Denoiser::Denoiser(Denoiser&&) noexcept = default;
+Denoiser& Denoiser::operator=(Denoiser&&) noexcept = default;
+Denoiser::~Denoiser() = default;
+
+void Denoiser::prepare(const Frame& frame, const Output& output) {
+  withClErrors("prepare", [&] { m_implementation->prepare(frame, output); });
+}
+
+Event Denoiser::denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList) {
+  return withClErrors("denoise", [&] { return m_implementation->denoise(frame, output, waitList); });
+}
+
+void Denoiser::resetHistory() {
+  m_implementation->resetHistory();
+}
+MemoryUse Denoiser::memoryUse() const {
+  return m_implementation->memoryUse();
+}
+Timings Denoiser::timings() {
+  return withClErrors("timings", [&] { return m_implementation->timings(); });
+}
+void Denoiser::clearTimings() {
+  withClErrors("clearTimings", [&] { m_implementation->clearTimings(); });
+}
+const Settings& Denoiser::settings() const {
+  return m_implementation->settings();
+}
+
+Event& Event::operator=(Event&& other) noexcept {
+  if (this != &other) {
+    if (m_event != nullptr) clReleaseEvent(m_event);
+    m_event = other.release();
+  }
+  return *this;
+}
+
+Event::~Event() {
+  if (m_event != nullptr) clReleaseEvent(m_event);
+}
+
+void Event::wait() const {
+  if (m_event == nullptr) return;
+  const cl_int status = clWaitForEvents(1, &m_event);
+  if (status != CL_SUCCESS) throw translateClError(status, "clWaitForEvents", "denoise");
+}
+
+}  // namespace quell

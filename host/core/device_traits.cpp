@@ -1,0 +1,18 @@
+#include "host/core/device_traits.hpp"
+
+namespace quell {
+
+DeviceTraits queryDeviceTraits(const cl::Device& device, Mapping mapping) {
+  DeviceTraits traits;
+  traits.name = device.getInfo<CL_DEVICE_NAME>();
+  traits.identity = device.getInfo<CL_DEVICE_VENDOR>() + "\n" + traits.name + "\n" +
+                    device.getInfo<CL_DEVICE_VERSION>() + "\n" + device.getInfo<CL_DRIVER_VERSION>();
+  traits.isCpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+  const bool wide = mapping == Mapping::Wide || (mapping == Mapping::Automatic && traits.isCpu);
+  traits.lanes = wide ? 16 : 1;
+  traits.maxWorkGroup = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+  traits.localMemoryBytes = device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
+  return traits;
+}
+
+}  // namespace quell

@@ -1,0 +1,41 @@
+// Compiled programs: built once per process and device, kept on disk as binaries.
+#pragma once
+
+#include <string>
+
+#include "host/core/device_traits.hpp"
+#include "host/core/opencl.hpp"
+
+namespace quell {
+
+/// How many programs came from where since the process started.
+struct ProgramCacheCounters {
+  int built = 0;       ///< compiled from source
+  int fromMemory = 0;  ///< from a binary built or read earlier in this process
+  int fromDisk = 0;    ///< from the cache directory
+};
+
+/// Thread-safe. A disk entry carries its whole key (device, driver, options, source) and a checksum; one that
+/// does not match to the last byte is rebuilt and replaced. Entries are written to a temporary name and
+/// renamed, so two processes may start together. A cache directory that cannot be written is ignored.
+class ProgramCache {
+ public:
+  /// `directory` empty: no disk cache.
+  explicit ProgramCache(std::string directory) : m_directory(std::move(directory)) {}
+
+  /// Throws Error(BuildFailed) with the build log; `stage` names the culprit.
+  cl::Program build(const cl::Context& context, const cl::Device& device, const DeviceTraits& traits,
+                    const std::string& stage, const std::string& source, const std::string& options) const;
+
+  static ProgramCacheCounters counters();
+  /// Drops the binaries held in memory (not those on disk).
+  static void clearMemory();
+
+ private:
+  std::string m_directory;
+};
+
+/// $XDG_CACHE_HOME/quell, else $HOME/.cache/quell, else empty.
+std::string defaultCacheDirectory();
+
+}  // namespace quell

@@ -1,0 +1,152 @@
+#include "host/core/reprojection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <quell/error.hpp>
+#include <string>
+
+namespace quell {
+namespace {
+
+// A 3x3 determinant below this share of the product of its row lengths means that the rows are linearly
+// dependent.
+constexpr double kSingular = 1e-12;
+
+// Rows of a row-major matrix as vectors, since GLM stores columns.
+glm::dvec3 rowLinear(const Matrix4& m, int row) {
+  return {m[4 * row], m[4 * row + 1], m[4 * row + 2]};
+}
+double rowConstant(const Matrix4& m, int row) {
+  return m[4 * row + 3];
+}
+
+[[noreturn]] void refuse(const char* name, const std::string& expected, const std::string& got) {
+  throw Error(ErrorCode::InvalidArgument, {"camera", name, expected, got});
+}
+
+void checkFinite(const Matrix4& m, const char* name) {
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    if (!std::isfinite(m[i])) {
+      refuse(
+          name, "finite elements",
+          "element [" + std::to_string(i / 4) + "][" + std::to_string(i % 4) + "] = " + std::to_string(m[i]));
+    }
+  }
+}
+
+// Solves dot(a, p) = x, dot(b, p) = y, dot(c, p) = z by Cramer's rule.
+glm::dvec3 solve(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 right, const char* name) {
+  const double determinant = glm::dot(a, glm::cross(b, c));
+  if (!(std::abs(determinant) > kSingular * glm::length(a) * glm::length(b) * glm::length(c)))
+    refuse(name, "a matrix whose view axes are independent", "a singular matrix");
+  return (right.x * glm::cross(b, c) + right.y * glm::cross(c, a) + right.z * glm::cross(a, b)) / determinant;
+}
+
+glm::dvec3 position(const Matrix4& m, const char* name) {
+  checkFinite(m, name);
+  if (isOrthographic(m)) {
+    if (!(rowConstant(m, 3) > 0.0)) refuse(name, "clip.w > 0", std::to_string(rowConstant(m, 3)));
+    // Any point on the view axis will do; the one nearest the world origin exists for every such matrix.
+    const glm::dvec3 axis = glm::cross(rowLinear(m, 0), rowLinear(m, 1));
+    return solve(rowLinear(m, 0), rowLinear(m, 1), axis, {-rowConstant(m, 0), -rowConstant(m, 1), 0.0}, name);
+  }
+  return solve(rowLinear(m, 0), rowLinear(m, 1), rowLinear(m, 3),
+               {-rowConstant(m, 0), -rowConstant(m, 1), -rowConstant(m, 3)}, name);
+}
+
+QuellFloat4 toFloat4(glm::dvec3 v, double w) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
+}
+
+// One row of a matrix, applied to positions relative to `origin`.
+struct Row {
+  glm::dvec3 linear;
+  double constant;
+};
+
+Row rowRelativeTo(const Matrix4& m, int row, glm::dvec3 origin) {
+  return {rowLinear(m, row), rowConstant(m, row) + glm::dot(rowLinear(m, row), origin)};
+}
+
+QuellFloat4 combine(const Row& a, double scaleA, const Row& b, double scaleB) {
+  return toFloat4(scaleA * a.linear + scaleB * b.linear, scaleA * a.constant + scaleB * b.constant);
+}
+
+// Rows that give pixel indices in the frame before, the viewport and the jitter folded in.
+void setPreviousRows(ReprojectionParams& params, const Camera& camera, Size size, glm::dvec3 origin) {
+  const Row x = rowRelativeTo(camera.worldToClipPrev, 0, origin);
+  const Row y = rowRelativeTo(camera.worldToClipPrev, 1, origin);
+  const Row w = rowRelativeTo(camera.worldToClipPrev, 3, origin);
+  params.pixelXPrev = combine(x, 0.5 * size.width, w, 0.5 * size.width - 0.5 - camera.jitterPxPrev[0]);
+  params.pixelYPrev = combine(y, -0.5 * size.height, w, 0.5 * size.height - 0.5 - camera.jitterPxPrev[1]);
+  params.clipWPrev = toFloat4(w.linear, w.constant);
+}
+
+// Camera-relative points at view depth 1 through pixel indices; zero for orthographic cameras, whose
+// background has no direction to tell apart.
+void setViewRays(ReprojectionParams& params, const Camera& camera, Size size) {
+  if (isOrthographic(camera.worldToClip)) return;
+  const glm::dvec3 x = rowLinear(camera.worldToClip, 0);
+  const glm::dvec3 y = rowLinear(camera.worldToClip, 1);
+  const glm::dvec3 w = rowLinear(camera.worldToClip, 3);
+  const double depthUnit = glm::length(w);  // clip.w at view depth 1
+  const auto ray = [&](double ndcX, double ndcY) {
+    return depthUnit * solve(x, y, w, {ndcX, ndcY, 1.0}, "worldToClip");
+  };
+  const double firstX = (1.0 + 2.0 * camera.jitterPx[0]) / size.width - 1.0;
+  const double firstY = 1.0 - (1.0 + 2.0 * camera.jitterPx[1]) / size.height;
+  const glm::dvec3 first = ray(firstX, firstY);
+  params.rayOrigin = toFloat4(first, 0.0);
+  params.rayX = toFloat4(ray(firstX + 2.0 / size.width, firstY) - first, 0.0);
+  params.rayY = toFloat4(ray(firstX, firstY - 2.0 / size.height) - first, 0.0);
+}
+
+void checkJitter(const std::array<double, 2>& jitter, const char* name) {
+  for (const double component : jitter)
+    if (!(std::abs(component) <= 1.0)) refuse(name, "pixels in [-1, 1]", std::to_string(component));
+}
+
+}  // namespace
+
+bool isOrthographic(const Matrix4& worldToClip) {
+  return glm::length(rowLinear(worldToClip, 3)) == 0.0;
+}
+
+std::array<double, 3> cameraPositionWorld(const Matrix4& worldToClip, const char* name) {
+  const glm::dvec3 p = position(worldToClip, name);
+  return {p.x, p.y, p.z};
+}
+
+ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const DiscardLimits& limits,
+                                          bool historyValid) {
+  checkJitter(camera.jitterPx, "jitterPx");
+  const glm::dvec3 origin = position(camera.worldToClip, "worldToClip");
+  ReprojectionParams params{};
+  params.historyValid = historyValid ? 1 : 0;
+
+  const glm::dvec3 high(static_cast<float>(origin.x), static_cast<float>(origin.y),
+                        static_cast<float>(origin.z));
+  params.cameraHigh = toFloat4(high, 0.0);
+  params.cameraLow = toFloat4(origin - high, 0.0);
+  const Row w = rowRelativeTo(camera.worldToClip, 3, origin);
+  params.clipW = toFloat4(w.linear, w.constant);
+  setViewRays(params, camera, size);
+
+  if (historyValid) {
+    checkJitter(camera.jitterPxPrev, "jitterPxPrev");
+    const glm::dvec3 originPrev = position(camera.worldToClipPrev, "worldToClipPrev");
+    params.cameraMotion = toFloat4(originPrev - origin, 0.0);
+    setPreviousRows(params, camera, size, origin);
+  }
+
+  // A pixel covers 2 / size of normalised device coordinates, so at clip.w = 1 this many scene units.
+  const double footprint = std::max(2.0 / (size.width * glm::length(rowLinear(camera.worldToClip, 0))),
+                                    2.0 / (size.height * glm::length(rowLinear(camera.worldToClip, 1))));
+  params.positionLimit = static_cast<float>(limits.position);
+  params.positionLimitFootprint = static_cast<float>(limits.positionFootprints * footprint);
+  params.normalLimitSquared = static_cast<float>(limits.normalSquared);
+  return params;
+}
+
+}  // namespace quell

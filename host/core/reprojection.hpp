@@ -1,0 +1,30 @@
+// From the caller's camera to what kernels need, in double precision.
+#pragma once
+
+#include <quell/camera.hpp>
+#include <quell/image_view.hpp>
+
+#include "kernels/common/reprojection_params.h"
+
+namespace quell {
+
+/// When a history sample shows the same surface (Koskela et al. 2019, phase I).
+struct DiscardLimits {
+  double position = 0.0;            ///< scene units; added to the next
+  double positionFootprints = 0.0;  ///< in footprints of a pixel at the surface's distance
+  double normalSquared = 0.0;       ///< squared difference of unit normals
+};
+
+/// Throws Error(InvalidArgument) naming the matrix if one is not finite or cannot be a camera.
+/// `historyValid` is false on the first frame; worldToClipPrev and jitterPxPrev are then ignored.
+ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const DiscardLimits& limits,
+                                          bool historyValid);
+
+/// World position of the camera: where clip x, y and w vanish; for orthographic cameras a point on the near
+/// plane in the middle of the view. Throws as above.
+std::array<double, 3> cameraPositionWorld(const Matrix4& worldToClip, const char* name);
+
+/// True if clip.w does not depend on the position.
+bool isOrthographic(const Matrix4& worldToClip);
+
+}  // namespace quell

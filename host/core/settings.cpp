@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <quell/error.hpp>
+#include <quell/settings.hpp>
+#include <sstream>
+
+#include "host/methods/method.hpp"
+
+namespace quell {
+namespace {
+
+std::string numberText(double value) {
+  std::ostringstream stream;
+  stream.precision(17);
+  stream << value;
+  // The shortest text that reads back as the same number.
+  for (int digits = 1; digits < 17; ++digits) {
+    std::ostringstream shorter;
+    shorter.precision(digits);
+    shorter << value;
+    if (std::strtod(shorter.str().c_str(), nullptr) == value) return shorter.str();
+  }
+  return stream.str();
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+[[noreturn]] void refuse(const SettingDescription& setting, const std::string& got) {
+  std::string expected;
+  if (setting.kind == SettingKind::Boolean) {
+    expected = "on or off";
+  } else if (setting.kind == SettingKind::Choice) {
+    expected = "one of " + joined(setting.choices);
+  } else {
+    expected = std::string(setting.kind == SettingKind::Integer ? "a whole number" : "a number") + " from " +
+               numberText(setting.minimum) + " to " + numberText(setting.maximum);
+    if (!setting.unit.empty()) expected += " " + setting.unit;
+  }
+  throw Error(ErrorCode::OutOfRange, {"settings", setting.name, expected, got});
+}
+
+}  // namespace
+
+Settings::Settings(const std::string& method) : m_method(method) {
+  for (const SettingDescription& setting : methodSettings(method)) m_values.push_back(setting.defaultValue);
+}
+
+const std::vector<SettingDescription>& Settings::descriptions() const {
+  return methodSettings(m_method);
+}
+
+std::size_t Settings::indexOf(const std::string& name) const {
+  std::vector<std::string> names;
+  for (const SettingDescription& setting : descriptions()) {
+    if (setting.name == name) return names.size();
+    names.push_back(setting.name);
+  }
+  throw Error(ErrorCode::UnknownSetting,
+              {"settings", name, "a setting of " + m_method + ": " + joined(names), name});
+}
+
+void Settings::set(const std::string& name, double value) {
+  const std::size_t index = indexOf(name);
+  const SettingDescription& setting = descriptions()[index];
+  const bool whole = setting.kind == SettingKind::Real || value == std::floor(value);
+  if (!(value >= setting.minimum && value <= setting.maximum) || !whole) refuse(setting, numberText(value));
+  m_values[index] = value;
+}
+
+void Settings::set(const std::string& name, const std::string& text) {
+  const SettingDescription& setting = descriptions()[indexOf(name)];
+  if (setting.kind == SettingKind::Boolean && (text == "on" || text == "true")) return set(name, 1.0);
+  if (setting.kind == SettingKind::Boolean && (text == "off" || text == "false")) return set(name, 0.0);
+  if (setting.kind == SettingKind::Choice) {
+    const auto found = std::find(setting.choices.begin(), setting.choices.end(), text);
+    if (found == setting.choices.end()) refuse(setting, text);
+    return set(name, static_cast<double>(found - setting.choices.begin()));
+  }
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0') refuse(setting, text.empty() ? "nothing" : text);
+  set(name, value);
+}
+
+double Settings::get(const std::string& name) const {
+  return m_values[indexOf(name)];
+}
+
+bool Settings::isOn(const std::string& name) const {
+  return get(name) != 0.0;
+}
+
+std::string Settings::text(const std::string& name) const {
+  const std::size_t index = indexOf(name);
+  const SettingDescription& setting = descriptions()[index];
+  if (setting.kind == SettingKind::Boolean) return m_values[index] != 0.0 ? "on" : "off";
+  if (setting.kind == SettingKind::Choice) return setting.choices[static_cast<std::size_t>(m_values[index])];
+  return numberText(m_values[index]);
+}
+
+}  // namespace quell

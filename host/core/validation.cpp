@@ -1,0 +1,191 @@
+#include "host/core/validation.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <quell/error.hpp>
+#include <string>
+
+#include "host/core/cl_error.hpp"
+#include "host/core/reprojection.hpp"
+
+namespace quell {
+namespace {
+
+constexpr char kFunction[] = "denoise";
+// Largest width or height in pixels, and most pixels: indices of seven planes must stay below 2^31.
+constexpr int kMostExtent = 32768;
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 27;
+
+struct NamedView {
+  const char* name;
+  const ImageView* view;
+  int leastChannels;
+  int mostChannels;
+  bool output;
+};
+
+std::array<NamedView, 9> namedViews(const Frame& frame, const Output& output) {
+  return {{{"radiance", &frame.radiance, 1, 4, false},
+           {"normalWorld", &frame.normalWorld, 3, 4, false},
+           {"positionWorld", &frame.positionWorld, 3, 4, false},
+           {"viewDepth", &frame.viewDepth, 1, 1, false},
+           {"albedo", &frame.albedo, 1, 4, false},
+           {"glossColor", &frame.glossColor, 1, 4, false},
+           {"emission", &frame.emission, 1, 4, false},
+           {"output.linear", &output.linear, 3, 4, true},
+           {"output.display", &output.display, 3, 4, true}}};
+}
+
+[[noreturn]] void refuse(ErrorCode code, const std::string& buffer, const std::string& expected,
+                         const std::string& got) {
+  throw Error(code, {kFunction, buffer, expected, got});
+}
+
+std::string sizeText(Size size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+void checkSize(Size size) {
+  if (size.width < 1 || size.height < 1 || size.width > kMostExtent || size.height > kMostExtent ||
+      std::int64_t{size.width} * size.height > kMostPixels) {
+    refuse(ErrorCode::InvalidArgument, "size",
+           "1x1 to " + std::to_string(kMostExtent) + "x" + std::to_string(kMostExtent) + " and at most " +
+               std::to_string(kMostPixels) + " pixels",
+           sizeText(size));
+  }
+}
+
+void checkView(const NamedView& named, Size size) {
+  const ImageView& view = *named.view;
+  if (!view.present()) return;
+  const auto invalid = [&](const std::string& expected, const std::string& got) {
+    refuse(ErrorCode::InvalidArgument, named.name, expected, got);
+  };
+  if (view.channels < named.leastChannels || view.channels > named.mostChannels) {
+    invalid(std::to_string(named.leastChannels) + " to " + std::to_string(named.mostChannels) + " channels",
+            std::to_string(view.channels));
+  }
+  const std::size_t component = view.componentBytes();
+  const std::size_t pixelBytes = component * static_cast<std::size_t>(view.channels);
+  if (view.offsetBytes % component != 0)
+    invalid("an offset in multiples of " + std::to_string(component) + " bytes",
+            std::to_string(view.offsetBytes));
+  if (view.pixelStride() % component != 0 || view.pixelStride() < pixelBytes) {
+    invalid("a pixel stride of at least " + std::to_string(pixelBytes) + " bytes in multiples of " +
+                std::to_string(component),
+            std::to_string(view.pixelStride()));
+  }
+  const std::size_t rowBytes = view.pixelStride() * static_cast<std::size_t>(size.width - 1) + pixelBytes;
+  if (view.rowPitch(size.width) % component != 0 || view.rowPitch(size.width) < rowBytes) {
+    invalid("a row pitch of at least " + std::to_string(rowBytes) + " bytes in multiples of " +
+                std::to_string(component),
+            std::to_string(view.rowPitch(size.width)));
+  }
+  if (view.requiredBytes(size) / component >
+      static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+    invalid("fewer than 2^31 components up to the last pixel",
+            std::to_string(view.requiredBytes(size) / component));
+}
+
+bool sameLayout(const ImageView& a, const ImageView& b, int width) {
+  if (a.present() != b.present()) return false;
+  return !a.present() ||
+         (a.format == b.format && a.channels == b.channels && a.pixelStride() == b.pixelStride() &&
+          a.offsetBytes % a.componentBytes() == b.offsetBytes % b.componentBytes() &&
+          a.rowPitch(width) == b.rowPitch(width));
+}
+
+std::string layoutText(const ImageView& view, int width) {
+  if (!view.present()) return "absent";
+  return std::to_string(view.channels) + (view.format == ComponentFormat::Float32 ? " floats" : " halves") +
+         " per pixel, pixel stride " + std::to_string(view.pixelStride()) + ", row pitch " +
+         std::to_string(view.rowPitch(width)) + " bytes";
+}
+
+template <class Value>
+Value memoryInfo(const NamedView& named, cl_mem_info what) {
+  Value value{};
+  const cl_int status = clGetMemObjectInfo(named.view->memory, what, sizeof(value), &value, nullptr);
+  if (status != CL_SUCCESS)
+    refuse(ErrorCode::InvalidArgument, named.name, "a valid buffer object", clErrorName(status));
+  return value;
+}
+
+}  // namespace
+
+void checkLayout(const Frame& frame, const Output& output) {
+  checkSize(frame.size);
+  for (const NamedView& named : namedViews(frame, output)) checkView(named, frame.size);
+  if (!frame.radiance.present()) refuse(ErrorCode::InvalidArgument, "radiance", "an image", "none");
+  if (!frame.normalWorld.present()) refuse(ErrorCode::InvalidArgument, "normalWorld", "an image", "none");
+  if (frame.positionWorld.present() == frame.viewDepth.present()) {
+    refuse(ErrorCode::InvalidArgument, "positionWorld", "either positionWorld or viewDepth",
+           frame.positionWorld.present() ? "both" : "none");
+  }
+  if (frame.demodulated && frame.emission.present())
+    refuse(ErrorCode::InvalidArgument, "emission", "no emission with demodulated radiance", "an image");
+  if (!output.linear.present() && !output.display.present())
+    refuse(ErrorCode::InvalidArgument, "output", "a linear or a display image", "none");
+}
+
+void checkSameLayout(const Frame& prepared, const Output& preparedOutput, const Frame& frame,
+                     const Output& output) {
+  if (frame.size != prepared.size)
+    refuse(ErrorCode::NotPrepared, "size", sizeText(prepared.size) + ", as prepared", sizeText(frame.size));
+  if (frame.demodulated != prepared.demodulated) {
+    refuse(ErrorCode::NotPrepared, "demodulated",
+           prepared.demodulated ? "true, as prepared" : "false, as prepared",
+           frame.demodulated ? "true" : "false");
+  }
+  const auto before = namedViews(prepared, preparedOutput);
+  const auto now = namedViews(frame, output);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    checkView(now[i], frame.size);
+    if (!sameLayout(*before[i].view, *now[i].view, frame.size.width)) {
+      refuse(ErrorCode::NotPrepared, now[i].name,
+             layoutText(*before[i].view, frame.size.width) + ", as prepared",
+             layoutText(*now[i].view, frame.size.width));
+    }
+  }
+}
+
+void checkMemory(const Frame& frame, const Output& output, cl_context context) {
+  for (const NamedView& named : namedViews(frame, output)) {
+    if (!named.view->present()) continue;
+    if (named.view->memory == nullptr)
+      refuse(ErrorCode::InvalidArgument, named.name, "a buffer object", "null");
+    if (memoryInfo<cl_mem_object_type>(named, CL_MEM_TYPE) != CL_MEM_OBJECT_BUFFER)
+      refuse(ErrorCode::InvalidArgument, named.name, "a buffer object", "another kind of memory object");
+    if (memoryInfo<cl_context>(named, CL_MEM_CONTEXT) != context)
+      refuse(ErrorCode::WrongContext, named.name, "a buffer of the denoiser's context",
+             "one of another context");
+    const cl_mem_flags unusable = named.output ? CL_MEM_READ_ONLY : CL_MEM_WRITE_ONLY;
+    if ((memoryInfo<cl_mem_flags>(named, CL_MEM_FLAGS) & unusable) != 0) {
+      refuse(ErrorCode::InvalidArgument, named.name, named.output ? "a writable buffer" : "a readable buffer",
+             named.output ? "CL_MEM_READ_ONLY" : "CL_MEM_WRITE_ONLY");
+    }
+    const std::size_t bytes = memoryInfo<std::size_t>(named, CL_MEM_SIZE);
+    if (bytes < named.view->requiredBytes(frame.size)) {
+      refuse(ErrorCode::InvalidArgument, named.name,
+             "at least " + std::to_string(named.view->requiredBytes(frame.size)) + " bytes for " +
+                 sizeText(frame.size),
+             std::to_string(bytes) + " bytes");
+    }
+  }
+}
+
+void checkHalfPositions(const Frame& frame) {
+  if (!frame.positionWorld.present() || frame.positionWorld.format != ComponentFormat::Float16) return;
+  for (const double coordinate : cameraPositionWorld(frame.camera.worldToClip, "worldToClip")) {
+    if (std::abs(coordinate) > kHalfPositionRange) {
+      refuse(ErrorCode::OutOfRange, "positionWorld",
+             "float positions, or a camera within " + std::to_string(kHalfPositionRange) +
+                 " units of the world origin for half positions",
+             "a camera coordinate of " + std::to_string(coordinate));
+    }
+  }
+}
+
+}  // namespace quell

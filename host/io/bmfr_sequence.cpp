@@ -1,0 +1,124 @@
+#include "host/io/bmfr_sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "host/io/atomic_file.hpp"
+#include "host/io/c_header_values.hpp"
+#include "host/io/exr_image.hpp"
+#include "host/io/file_error.hpp"
+#include "host/io/sequence_files.hpp"
+
+namespace quell::io {
+namespace {
+
+constexpr char kStage[] = "open sequence";
+constexpr std::size_t kMatrixSide = 4;
+constexpr std::size_t kMatrixSize = kMatrixSide * kMatrixSide;
+constexpr std::size_t kOffsetSize = 2;
+constexpr std::size_t kClipRowY = 1;
+/// Where the published pixel offset of a ray through the pixel centre lies, pixels.
+constexpr double kCentreOffsetPx = 0.5;
+
+FrameFileName filesOf(const char* buffer) {
+  return [buffer](int frame) { return fmt::format("{}{}.exr", buffer, frame); };
+}
+
+/// From m[column][row] with y down to row-major with y up.
+Matrix4 toQuellConvention(const double* published) {
+  Matrix4 matrix{};
+  for (std::size_t row = 0; row < kMatrixSide; ++row)
+    for (std::size_t column = 0; column < kMatrixSide; ++column)
+      matrix[kMatrixSide * row + column] =
+          (row == kClipRowY ? -1.0 : 1.0) * published[kMatrixSide * column + row];
+  return matrix;
+}
+
+/// An array of `itemSize` numbers per frame for frames 0 to lastFrame at least.
+std::vector<double> requireArray(const CHeaderValues& header, const std::string& path,
+                                 const std::string& name, std::size_t itemSize, int lastFrame) {
+  const auto values = header.array(name);
+  if (!values) throwFileError(kStage, path, "an array " + name, "no such name");
+  if (values->size() % itemSize != 0)
+    throwFileError(kStage, path, fmt::format("{} numbers per frame in {}", itemSize, name),
+                   fmt::format("{} numbers in all", values->size()));
+  if (values->size() / itemSize <= std::size_t(lastFrame))
+    throwFileError(kStage, path, fmt::format("{} of frames 0 to {}", name, lastFrame),
+                   fmt::format("{} frames", values->size() / itemSize));
+  return *values;
+}
+
+std::optional<HistoryLimits> readLimits(const CHeaderValues& header, const std::string& path) {
+  const auto position = header.constant("position_limit_squared");
+  const auto normal = header.constant("normal_limit_squared");
+  if (!position && !normal) return std::nullopt;
+  if (!position || !normal)
+    throwFileError(kStage, path, "both position_limit_squared and normal_limit_squared, or neither", "one");
+  if (*position <= 0.0 || *normal <= 0.0)
+    throwFileError(kStage, path, "limits above zero",
+                   fmt::format("position_limit_squared {}, normal_limit_squared {}", *position, *normal));
+  return HistoryLimits{*position, *normal};
+}
+
+}  // namespace
+
+BmfrSequence::BmfrSequence(std::string directory)
+    : m_directory(std::move(directory)), m_frames(findFrames(m_directory, filesOf("color"))) {
+  readCameraHeader();
+  for (const char* required : {"shading_normal", "world_position", "albedo"})
+    requireFrameFiles(m_directory, filesOf(required), m_frames);
+  const ExrHeader first = readExrHeader(joinPath(m_directory, filesOf("color")(m_frames.front())));
+  m_width = first.width;
+  m_height = first.height;
+}
+
+void BmfrSequence::readCameraHeader() {
+  const std::string path = joinPath(m_directory, kBmfrCameraFile);
+  const CHeaderValues header(readFile(path), path);
+  const auto matrices = requireArray(header, path, "camera_matrices", kMatrixSize, m_frames.back());
+  const auto offsets = requireArray(header, path, "pixel_offsets", kOffsetSize, m_frames.back());
+  for (std::size_t i = 0; i < matrices.size(); i += kMatrixSize)
+    m_worldToClip.push_back(toQuellConvention(&matrices[i]));
+  for (std::size_t i = 0; i < offsets.size(); i += kOffsetSize)
+    m_pixelOffset.push_back({offsets[i], offsets[i + 1]});
+  m_limits = readLimits(header, path);
+}
+
+/// The published code knows one offset per frame and uses it for the history; it stands for both jitters
+/// here.
+Camera BmfrSequence::cameraOf(int frame) const {
+  const auto& offset = m_pixelOffset[std::size_t(frame)];
+  Camera camera;
+  camera.worldToClip = m_worldToClip[std::size_t(frame)];
+  camera.worldToClipPrev = m_worldToClip[std::size_t(std::max(frame - 1, 0))];
+  camera.jitterPxPrev = {offset[0] - kCentreOffsetPx, kCentreOffsetPx - offset[1]};
+  camera.jitterPx = camera.jitterPxPrev;
+  return camera;
+}
+
+FrameData BmfrSequence::read(int frame) const {
+  requireFrame(m_directory, m_frames, frame);
+  const auto readBuffer = [&](const char* buffer) {
+    return readRgbOfSize(joinPath(m_directory, filesOf(buffer)(frame)), m_width, m_height);
+  };
+  FrameData data;
+  data.number = frame;
+  data.camera = cameraOf(frame);
+  data.radiance = readBuffer("color");
+  data.normalWorld = readBuffer("shading_normal");
+  data.positionWorld = readBuffer("world_position");
+  data.albedo = readBuffer("albedo");
+  data.demodulated = true;
+  return data;
+}
+
+std::optional<Reference> BmfrSequence::reference(int frame) const {
+  requireFrame(m_directory, m_frames, frame);
+  const std::string file = filesOf("reference")(frame);
+  if (!hasFile(m_directory, file)) return std::nullopt;
+  return Reference{readRgbOfSize(joinPath(m_directory, file), m_width, m_height), {}};
+}
+
+}  // namespace quell::io

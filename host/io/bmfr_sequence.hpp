@@ -1,0 +1,57 @@
+// Sequences in the layout published with Koskela et al. 2019, "Blockwise Multi-Order Feature Regression for
+// Real-Time Path-Tracing Reconstruction" (BMFR).
+//
+// Per frame n (numbers unpadded, without gaps): color<n>.exr, shading_normal<n>.exr, world_position<n>.exr,
+// albedo<n>.exr, three channels each; optionally reference<n>.exr. The colour has albedo divided out already,
+// so FrameData::demodulated is true. camera_matrices.h is a C header with camera_matrices[N][4][4],
+// pixel_offsets[N][2] and, optionally, the two limits position_limit_squared and normal_limit_squared.
+//
+// The published host code reads it so, for frame n with matrix m of frame n-1 (frame 0: its own) and offset o
+// of frame n: clip.x = m[0][0] x + m[1][0] y + m[2][0] z + m[3][0], y and w alike from m[.][1] and m[.][3];
+//   previous column = (ndc.x + 1) / 2 * width - o.x,   previous row = (ndc.y + 1) / 2 * height - (1 - o.y).
+// Its ndc y points down. In the convention of quell::Camera that is: matrix transposed, y row negated,
+// previous jitter = (o.x - 0.5, 0.5 - o.y).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/io/frame_sequence.hpp"
+
+namespace quell::io {
+
+/// The file of a directory that marks this layout.
+constexpr char kBmfrCameraFile[] = "camera_matrices.h";
+
+class BmfrSequence final : public FrameSequence {
+ public:
+  /// Checks that all files are there; pixels are read later. The size is that of the first colour image.
+  /// Throws Error(FileError): a missing frame or buffer, a malformed header, or one with too few matrices.
+  explicit BmfrSequence(std::string directory);
+
+  std::string name() const override { return m_directory; }
+  int width() const override { return m_width; }
+  int height() const override { return m_height; }
+  std::vector<int> frames() const override { return m_frames; }
+
+  /// Throws Error(InvalidArgument) for a frame that is not there or an image whose size differs from the
+  /// first frame's, Error(FileError) for an unreadable file.
+  FrameData read(int frame) const override;
+  std::optional<Reference> reference(int frame) const override;
+  std::optional<HistoryLimits> historyLimits() const override { return m_limits; }
+
+ private:
+  void readCameraHeader();
+  Camera cameraOf(int frame) const;
+
+  std::string m_directory;
+  std::vector<int> m_frames;
+  std::vector<Matrix4> m_worldToClip;                // by frame number
+  std::vector<std::array<double, 2>> m_pixelOffset;  // by frame number, pixels, as published
+  std::optional<HistoryLimits> m_limits;
+  int m_width = 0;
+  int m_height = 0;
+};
+
+}  // namespace quell::io

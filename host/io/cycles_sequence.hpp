@@ -1,0 +1,52 @@
+// Sequences as rendered with Blender Cycles: one OpenEXR file per buffer and frame, matrices in camera.json.
+//
+// For each frame NNNN (at least four digits, numbers without gaps): color_NNNN.exr, shading_normal_NNNN.exr,
+// world_position_NNNN.exr; for all frames or none: albedo_NNNN.exr, gloss_color_NNNN.exr, emission_NNNN.exr;
+// for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference. Other files are
+// ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
+// ...]}, in the convention of quell::Camera: row-major, column vectors, NDC y up, rays through pixel centres
+// (no jitter).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/io/frame_sequence.hpp"
+
+namespace quell::io {
+
+/// The file of a directory that marks this layout.
+constexpr char kCyclesCameraFile[] = "camera.json";
+
+class CyclesSequence final : public FrameSequence {
+ public:
+  /// Checks that all files are there; pixels are read later. The size is that of the first colour image.
+  /// Throws Error(FileError): a missing frame or buffer, a malformed camera.json, a frame missing in it.
+  explicit CyclesSequence(std::string directory);
+
+  std::string name() const override { return m_directory; }
+  int width() const override { return m_width; }
+  int height() const override { return m_height; }
+  std::vector<int> frames() const override { return m_frames; }
+
+  /// Throws Error(InvalidArgument) for a frame that is not there or an image whose size differs from the
+  /// first frame's, Error(FileError) for an unreadable file.
+  FrameData read(int frame) const override;
+  std::optional<Reference> reference(int frame) const override;
+
+ private:
+  Image readBuffer(const char* buffer, int frame) const;
+
+  std::string m_directory;
+  std::vector<int> m_frames;
+  std::map<int, Camera> m_cameras;
+  int m_width = 0;
+  int m_height = 0;
+  bool m_hasAlbedo = false;
+  bool m_hasGlossColor = false;
+  bool m_hasEmission = false;
+};
+
+}  // namespace quell::io

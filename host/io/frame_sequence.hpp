@@ -1,0 +1,63 @@
+// A sequence of noisy frames with their feature buffers, wherever they come from (files, or made up).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <quell/camera.hpp>
+#include <string>
+#include <vector>
+
+#include "host/io/image.hpp"
+
+namespace quell::io {
+
+/// One frame in host memory. Images share one size; an absent optional buffer is empty.
+struct FrameData {
+  int number = 0;  ///< frame number within its sequence, >= 0
+  Camera camera;
+  Image radiance;       ///< 3 channels, linear; with emission included, unless `demodulated`
+  Image normalWorld;    ///< 3 channels, unit length; zero marks background
+  Image positionWorld;  ///< 3 channels, scene units
+  Image albedo;         ///< 3 channels, optional
+  Image glossColor;     ///< 3 channels, optional
+  Image emission;       ///< 3 channels, optional
+  /// True where `radiance` is already divided by albedo (the layout published with the BMFR paper).
+  bool demodulated = false;
+};
+
+/// Two independent converged renderings of one frame (linear, 3 channels). Their mean is the reference.
+/// With one half only, `b` is empty.
+struct Reference {
+  Image a;
+  Image b;
+};
+
+/// How far apart a surface point and the history sample found for it may be, as published with a data set.
+/// Both are limits of squared Euclidean distances; a sample at or beyond a limit is rejected.
+struct HistoryLimits {
+  double positionSquared = 0.0;  ///< scene units squared, > 0
+  double normalSquared = 0.0;    ///< of unit normals, in (0, 4]
+};
+
+/// Reads frames one at a time, so that memory does not grow with the length of the sequence.
+class FrameSequence {
+ public:
+  virtual ~FrameSequence() = default;
+  virtual std::string name() const = 0;         ///< for messages, for example the directory
+  virtual int width() const = 0;                ///< pixels, >= 1
+  virtual int height() const = 0;               ///< pixels, >= 1
+  virtual std::vector<int> frames() const = 0;  ///< frame numbers present, ascending, without gaps
+  virtual FrameData read(int frame) const = 0;  ///< throws Error(FileError | InvalidArgument)
+
+  /// The converged rendering of a frame; nothing where the sequence has none for it.
+  virtual std::optional<Reference> reference(int frame) const = 0;
+
+  /// The limits that ship with the data; nothing where it has none (the denoiser then derives its own).
+  virtual std::optional<HistoryLimits> historyLimits() const { return std::nullopt; }
+};
+
+/// Opens a directory in either supported layout; which one is found by looking (see cycles_sequence.hpp and
+/// bmfr_sequence.hpp). Throws Error(FileError) saying what was looked for.
+std::unique_ptr<FrameSequence> openSequence(const std::string& directory);
+
+}  // namespace quell::io

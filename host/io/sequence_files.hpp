@@ -1,0 +1,41 @@
+// What the sequence layouts share: finding numbered files and reading images of one size.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/io/image.hpp"
+
+namespace quell::io {
+
+/// File name (without directory) of a frame number, for example 7 -> "color_0007.exr".
+using FrameFileName = std::function<std::string(int frame)>;
+
+/// Whether `name` exists in `directory` as something that can be opened as a file.
+bool hasFile(const std::string& directory, const std::string& name);
+
+/// `directory` and `name` joined.
+std::string joinPath(const std::string& directory, const std::string& name);
+
+/// The frame numbers, ascending, for which `fileName` is in the directory.
+/// Throws Error(FileError): the directory cannot be listed, no such file, or a number is missing in between.
+std::vector<int> findFrames(const std::string& directory, const FrameFileName& fileName);
+
+/// Throws Error(FileError) naming the first frame without such a file.
+void requireFrameFiles(const std::string& directory, const FrameFileName& fileName,
+                       const std::vector<int>& frames);
+
+/// For a buffer that may be absent: false if no frame has the file, true if all have it.
+/// Throws Error(FileError) naming the missing file where only some have it.
+bool hasFrameFiles(const std::string& directory, const FrameFileName& fileName,
+                   const std::vector<int>& frames);
+
+/// Throws Error(InvalidArgument) unless `frame` is one of `frames`.
+void requireFrame(const std::string& directory, const std::vector<int>& frames, int frame);
+
+/// Reads 3 channels from an OpenEXR file that must have the given size.
+/// Throws Error(FileError), or Error(InvalidArgument) naming the file, the size expected and the size found.
+Image readRgbOfSize(const std::string& path, int width, int height);
+
+}  // namespace quell::io

@@ -1,0 +1,180 @@
+#include "host/methods/bmfr.hpp"
+
+#include "host/stages/accumulate_filtered.hpp"
+#include "host/stages/accumulate_noisy.hpp"
+#include "host/stages/fit.hpp"
+#include "host/stages/remodulate.hpp"
+#include "host/stages/temporal_antialiasing.hpp"
+#include "host/stages/tone_map.hpp"
+#include "host/stages/weighted_sum.hpp"
+
+namespace quell {
+namespace {
+
+std::vector<SettingDescription> settings() {
+  using Kind = SettingKind;
+  return {
+      {"noisyLeastWeight",
+       Kind::Real,
+       0.2,
+       0.001,
+       1.0,
+       "",
+       "least weight of the newest noisy sample",
+       "Koskela et al. 2019, phase I",
+       {}},
+      {"filteredLeastWeight",
+       Kind::Real,
+       0.1,
+       0.001,
+       1.0,
+       "",
+       "least weight of the newest filtered frame",
+       "Koskela et al. 2019, phase III",
+       {}},
+      {"positionLimitFootprints",
+       Kind::Real,
+       4.0,
+       0.0,
+       1e6,
+       "pixel footprints",
+       "history farther than this from the surface is discarded",
+       "sweep over four sequences, see README",
+       {}},
+      {"positionLimit",
+       Kind::Real,
+       0.0,
+       0.0,
+       1e18,
+       "scene units",
+       "the same limit in scene units, as the paper has it; above 0 it replaces positionLimitFootprints",
+       "Koskela et al. 2019, phase I",
+       {}},
+      {"normalLimitSquared",
+       Kind::Real,
+       0.1,
+       0.0,
+       4.0,
+       "",
+       "history whose unit normal differs by more (squared length of the difference) is discarded",
+       "sweep over four sequences, see README",
+       {}},
+      {"noiseAmplitude",
+       Kind::Real,
+       0.01,
+       0.0,
+       1.0,
+       "scaled feature units",
+       "amplitude of the stochastic regularisation",
+       "Koskela et al. 2019, phase II",
+       {}},
+      {"featureStorage",
+       Kind::Choice,
+       0.0,
+       0.0,
+       1.0,
+       "",
+       "format of the matrix while a block is factorised",
+       "Koskela et al. 2019, reference implementation (half)",
+       {"float", "half"}},
+      {"taa",
+       Kind::Boolean,
+       1.0,
+       0.0,
+       1.0,
+       "",
+       "temporal antialiasing of the display output",
+       "Koskela et al. 2019, phase III",
+       {}},
+      {"taaNewestWeight",
+       Kind::Real,
+       0.2,
+       0.001,
+       1.0,
+       "",
+       "weight of the newest frame in temporal antialiasing",
+       "Koskela et al. 2019, reference implementation",
+       {}},
+  };
+}
+
+BufferSpec history(const std::string& name, Element element, int planes) {
+  return {name, element, planes, 0, true};
+}
+BufferSpec transient(const std::string& name, Element element, int planes) {
+  return {name, element, planes, 0, false};
+}
+BufferSpec elements(const std::string& name, std::size_t count) {
+  return {name, Element::Float32, 0, count, false};
+}
+
+Schedule makeSchedule(const Configuration& configuration) {
+  const Settings& s = configuration.settings;
+  const auto storage = static_cast<FeatureStorage>(static_cast<int>(s.get("featureStorage")));
+  const bool display = configuration.output.display.present();
+  const bool taa = display && s.isOn("taa");
+  const Size size = configuration.size();
+
+  Schedule schedule;
+  schedule.buffers = {
+      history("irradiance", Element::Float32, 3),
+      history("historyLength", Element::UInt8, 1),
+      history("guides", Element::Float32, QUELL_GUIDE_PLANES),
+      history("filtered", Element::Float32, 3),
+      transient("pixelPrev", Element::Float32, 2),
+      transient("reprojectionMask", Element::UInt8, 1),
+      transient("fitted", Element::Float32, 3),
+      transient("linear", Element::Float32, 3),
+      transient("encoded", Element::Float32, 3),
+      elements("fitRecords", Fit::recordElements(size)),
+      elements("fitStorage", Fit::storageElements(size, storage)),
+  };
+  if (taa) schedule.buffers.push_back(history("antialiased", Element::Float32, 3));
+
+  const auto add = [&](std::unique_ptr<Stage> stage, std::vector<std::string> reads,
+                       std::vector<std::string> writes) {
+    schedule.stages.push_back({std::move(stage), std::move(reads), std::move(writes)});
+  };
+  // clang-format off
+  add(std::make_unique<AccumulateNoisy>(s.get("noisyLeastWeight")),
+      {"irradiance.prev", "historyLength.prev", "guides.prev"},
+      {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});
+  add(std::make_unique<Fit>(s.get("noiseAmplitude"), storage),
+      {"irradiance", "guides"},
+      {"fitRecords", "fitStorage"});
+  add(std::make_unique<WeightedSum>(),
+      {"fitRecords", "guides"},
+      {"fitted"});
+  add(std::make_unique<AccumulateFiltered>(s.get("filteredLeastWeight")),
+      {"fitted", "filtered.prev", "pixelPrev", "reprojectionMask", "historyLength"},
+      {"filtered"});
+  add(std::make_unique<Remodulate>(display),
+      {"filtered", "guides"},
+      display ? std::vector<std::string>{"linear"} : std::vector<std::string>{});
+  if (display) {
+    add(std::make_unique<ToneMap>(!taa),
+        {"linear"},
+        taa ? std::vector<std::string>{"encoded"} : std::vector<std::string>{});
+  }
+  if (taa) {
+    add(std::make_unique<TemporalAntialiasing>(s.get("taaNewestWeight")),
+        {"encoded", "antialiased.prev", "pixelPrev", "reprojectionMask"},
+        {"antialiased"});
+  }
+  // clang-format on
+  return schedule;
+}
+
+DiscardLimits discardLimits(const Settings& s) {
+  const double fixed = s.get("positionLimit");
+  return {fixed, fixed > 0.0 ? 0.0 : s.get("positionLimitFootprints"), s.get("normalLimitSquared")};
+}
+
+}  // namespace
+
+Method bmfrMethod() {
+  return {"bmfr", "Blockwise Multi-Order Feature Regression (Koskela et al. 2019)", settings(), makeSchedule,
+          discardLimits};
+}
+
+}  // namespace quell

@@ -1,0 +1,23 @@
+#include "host/stages/accumulate_filtered.hpp"
+
+namespace quell {
+
+void AccumulateFiltered::build(const KernelBuilder& builder) {
+  m_kernel = builder.build("accumulate_filtered", "");
+  m_workGroup = builder.pixelWorkGroup(m_kernel);
+}
+
+void AccumulateFiltered::enqueue(FrameRun& run) {
+  AccumulateFilteredParams params{};
+  params.planes = makePlanes(run.configuration.size());
+  params.leastWeight = static_cast<float>(m_leastWeight);
+  run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("fitted"), run.buffer("filtered.prev"),
+             run.buffer("pixelPrev"), run.buffer("reprojectionMask"), run.buffer("historyLength"),
+             run.buffer("filtered"), params);
+}
+
+std::uint64_t AccumulateFiltered::callerBytes(const Configuration&) const {
+  return 0;
+}
+
+}  // namespace quell

@@ -1,0 +1,25 @@
+// Host side of the stage accumulate_noisy.
+#pragma once
+
+#include "host/core/stage.hpp"
+#include "kernels/accumulate_noisy_params.h"
+
+namespace quell {
+
+/// See kernels/accumulate_noisy.cl for what it computes, from what and after which paper.
+class AccumulateNoisy : public Stage {
+ public:
+  /// `leastWeight`: least weight of the newest sample, (0, 1].
+  explicit AccumulateNoisy(double leastWeight) : m_leastWeight(leastWeight) {}
+  std::string name() const override { return "accumulate_noisy"; }
+  void build(const KernelBuilder& builder) override;
+  void enqueue(FrameRun& run) override;
+  std::uint64_t callerBytes(const Configuration& configuration) const override;
+
+ private:
+  double m_leastWeight;
+  cl::Kernel m_kernel;
+  cl::NDRange m_workGroup;
+};
+
+}  // namespace quell

@@ -1,0 +1,80 @@
+#include "host/stages/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quell {
+namespace {
+
+// Work-items per block on GPUs: with 256 every work-item keeps four rows of all columns in registers.
+constexpr std::size_t kGpuGroup = 256;
+// Offsets of the block grid repeat after this many frames (Koskela et al. 2019, reference implementation).
+constexpr std::uint32_t kBlockOffsets = 16;
+// Steps of the two-dimensional additive recurrence with the least discrepancy, 1/g and 1/g^2 with g^3 = g + 1
+// (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"): spreads the offsets evenly.
+constexpr double kOffsetStepX = 0.7548776662466927;
+constexpr double kOffsetStepY = 0.5698402909980532;
+
+int blocksAlong(int pixels) {
+  return (pixels + QUELL_BLOCK_EDGE - 1) / QUELL_BLOCK_EDGE + 1;
+}
+
+// In [-32, -1]: the first block always covers pixel 0 and one more block than fits is always enough.
+int offsetAlong(std::uint32_t frameIndex, double step) {
+  const double position = 0.5 + step * (frameIndex % kBlockOffsets);
+  return static_cast<int>((position - std::floor(position)) * QUELL_BLOCK_EDGE) - QUELL_BLOCK_EDGE;
+}
+
+}  // namespace
+
+int blockCount(Size size) {
+  return blocksAlong(size.width) * blocksAlong(size.height);
+}
+
+FitParams makeFitParams(Size size, std::uint32_t frameIndex, double noiseAmplitude) {
+  FitParams params{};
+  params.planes = makePlanes(size);
+  params.blockOffsetX = offsetAlong(frameIndex, kOffsetStepX);
+  params.blockOffsetY = offsetAlong(frameIndex, kOffsetStepY);
+  params.blocksX = blocksAlong(size.width);
+  params.blocksY = blocksAlong(size.height);
+  params.noiseSeed = frameIndex * static_cast<std::uint32_t>(blockCount(size));
+  params.noiseAmplitude = static_cast<float>(noiseAmplitude);
+  return params;
+}
+
+std::size_t Fit::recordElements(Size size) {
+  return static_cast<std::size_t>(blockCount(size)) * QUELL_FIT_RECORD;
+}
+
+std::size_t Fit::storageElements(Size size, FeatureStorage storage) {
+  if (storage == FeatureStorage::Float) return 1;
+  return static_cast<std::size_t>(blockCount(size)) * QUELL_FIT_COLUMNS * QUELL_BLOCK_PIXELS / 2;
+}
+
+void Fit::build(const KernelBuilder& builder) {
+  const Configuration& configuration = builder.configuration();
+  const bool wide = configuration.device.lanes > 1;
+  const int wish = configuration.options.fitGroup;
+  m_groupSize = wish > 0 ? static_cast<std::size_t>(wish) : wide ? 1 : kGpuGroup;
+  // 256 logical lanes are shared out, so lanes and work-items together must not exceed them.
+  m_groupSize = std::min(m_groupSize, kGpuGroup / static_cast<std::size_t>(configuration.device.lanes));
+  m_groupSize = std::min(m_groupSize, configuration.device.maxWorkGroup);
+  for (;; m_groupSize /= 2) {
+    m_kernel =
+        builder.build("fit", "-D FIT_GROUP_SIZE=" + std::to_string(m_groupSize) +
+                                 " -D FIT_STORAGE_HALF=" + (m_storage == FeatureStorage::Half ? "1" : "0") +
+                                 " -D FIT_UNROLL=" + (configuration.device.isCpu ? "0" : "1"));
+    if (m_groupSize == 1 || builder.maxWorkGroup(m_kernel) >= m_groupSize) break;
+  }
+}
+
+void Fit::enqueue(FrameRun& run) {
+  const Size size = run.configuration.size();
+  const std::size_t items = static_cast<std::size_t>(blockCount(size)) * m_groupSize;
+  run.launch(m_kernel, {items, 1}, cl::NDRange(m_groupSize, 1), run.buffer("irradiance"),
+             run.buffer("guides"), run.buffer("fitRecords"), run.buffer("fitStorage"),
+             makeFitParams(size, run.frameIndex, m_noiseAmplitude));
+}
+
+}  // namespace quell

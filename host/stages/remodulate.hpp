@@ -1,0 +1,25 @@
+// Host side of the stage remodulate.
+#pragma once
+
+#include "host/core/stage.hpp"
+#include "kernels/remodulate_params.h"
+
+namespace quell {
+
+/// See kernels/remodulate.cl for what it computes, from what and after which paper.
+class Remodulate : public Stage {
+ public:
+  /// `writePlanes`: whether a later stage reads the linear radiance.
+  explicit Remodulate(bool writePlanes) : m_writePlanes(writePlanes) {}
+  std::string name() const override { return "remodulate"; }
+  void build(const KernelBuilder& builder) override;
+  void enqueue(FrameRun& run) override;
+  std::uint64_t callerBytes(const Configuration& configuration) const override;
+
+ private:
+  bool m_writePlanes;
+  cl::Kernel m_kernel;
+  cl::NDRange m_workGroup;
+};
+
+}  // namespace quell

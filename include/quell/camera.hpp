@@ -1,0 +1,26 @@
+// Camera of one frame, as the denoiser needs it to find where a surface point was one frame ago.
+#pragma once
+
+#include <array>
+
+namespace quell {
+
+/// 4x4 matrix, row-major, for column vectors: clip[r] = sum over c of m[4*r + c] * (x, y, z, 1)[c].
+using Matrix4 = std::array<double, 16>;
+
+/// The camera of this frame and of the frame before it.
+///
+/// Matrices map world space to clip space in double precision, unjittered. Normalised device coordinates:
+/// x right, y up, both in [-1, 1] over the image; clip.w grows with the distance in front of the camera
+/// (perspective) or is constant (orthographic). Row 2 (clip.z) is not used.
+struct Camera {
+  Matrix4 worldToClip{};      ///< this frame
+  Matrix4 worldToClipPrev{};  ///< the frame before; any value on the first frame after a history reset
+
+  /// Where inside the pixel the primary rays went: sample position minus pixel centre, in pixels, x right,
+  /// y down, each in [-1, 1]. Zero means the pixel centre. One for this frame, one for the frame before.
+  std::array<double, 2> jitterPx{0.0, 0.0};
+  std::array<double, 2> jitterPxPrev{0.0, 0.0};
+};
+
+}  // namespace quell

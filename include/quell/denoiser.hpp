@@ -1,0 +1,129 @@
+// The denoiser: works on the caller's context, device, queue and buffers.
+#pragma once
+
+#include <CL/cl.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <quell/error.hpp>
+#include <quell/frame.hpp>
+#include <quell/settings.hpp>
+#include <quell/timings.hpp>
+#include <string>
+#include <vector>
+
+namespace quell {
+
+enum class TimerMode {
+  Off,
+  Device,  ///< needs a queue with CL_QUEUE_PROFILING_ENABLE; falls back to Host where events carry no times
+  Host,    ///< completion callbacks
+};
+
+/// How per-pixel work is spread over work-items.
+enum class Mapping {
+  Automatic,  ///< Wide on CPU devices, Narrow elsewhere
+  Narrow,     ///< one pixel a work-item
+  Wide,       ///< sixteen pixels of a row a work-item
+};
+
+struct Options {
+  TimerMode timers = TimerMode::Off;
+  Mapping mapping = Mapping::Automatic;
+  /// Work-group of the per-pixel kernels, work-items in x and y; 0: chosen from what device and kernel allow.
+  std::array<int, 2> workGroup{0, 0};
+  /// Work-items that share a block in the fit, a power of two up to 256; 0: chosen.
+  int fitGroup = 0;
+  /// Where compiled kernels are kept. Absent: $XDG_CACHE_HOME/quell or ~/.cache/quell; empty string: nowhere.
+  std::optional<std::string> cacheDirectory;
+};
+
+/// Owns one reference to an OpenCL event.
+class Event {
+ public:
+  Event() = default;
+  explicit Event(cl_event owned) : m_event(owned) {}
+  Event(Event&& other) noexcept : m_event(other.release()) {}
+  Event& operator=(Event&& other) noexcept;
+  Event(const Event&) = delete;
+  Event& operator=(const Event&) = delete;
+  ~Event();
+
+  cl_event get() const { return m_event; }
+  /// Hands the reference over, for example to cl::Event(event.release()).
+  cl_event release() {
+    cl_event event = m_event;
+    m_event = nullptr;
+    return event;
+  }
+  /// Blocks until the work is done. Throws Error(DeviceError) if it failed.
+  void wait() const;
+
+ private:
+  cl_event m_event = nullptr;
+};
+
+/// Device memory held by a denoiser.
+struct MemoryUse {
+  std::size_t totalBytes = 0;
+  struct Buffer {
+    std::string name;  ///< buffers that share memory are named together
+    std::size_t bytes = 0;
+  };
+  std::vector<Buffer> buffers;
+};
+
+/// Denoises a sequence of frames. One object serves one sequence on one queue; it may be used from several
+/// threads by turns, not at once. Objects are independent of each other. Destroying one while its work is
+/// pending is safe.
+class Denoiser {
+ public:
+  /// Handles are retained as long as needed. Throws Error(WrongContext) if device or queue do not belong to
+  /// the context, Error(InvalidArgument) for null handles, unusable options, or timers without a profiling
+  /// queue.
+  Denoiser(cl_context context, cl_device_id device, cl_command_queue queue,
+           const Settings& settings = Settings(), const Options& options = {});
+
+  /// The same for clhpp wrappers (cl::Context, cl::Device, cl::CommandQueue).
+  template <class Context, class Device, class Queue>
+  Denoiser(const Context& context, const Device& device, const Queue& queue,
+           const Settings& settings = Settings(), const Options& options = {})
+      : Denoiser(context(), device(), queue(), settings, options) {}
+
+  Denoiser(Denoiser&&) noexcept;
+  Denoiser& operator=(Denoiser&&) noexcept;
+  ~Denoiser();
+
+  /// Builds every kernel for the layouts of these images, allocates all memory and launches every kernel once
+  /// at its final work-group size, so that no frame pays for it. Blocks. The images' memory may be null here:
+  /// only layouts count. May be called again with another size or layout; the history is reset. If it throws,
+  /// the denoiser is as if never prepared.
+  void prepare(const Frame& frame, const Output& output);
+
+  /// Enqueues the denoising of one frame; never builds, allocates device memory, copies through the host or
+  /// blocks. Work starts when all events of the wait list have completed (on an in-order queue also after all
+  /// earlier commands) and is done when the returned event has. Throws Error(NotPrepared) if the size or a
+  /// layout differs from what was prepared, Error(WrongContext) or Error(InvalidArgument) for unusable
+  /// buffers, before anything is enqueued.
+  Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList = {});
+
+  /// Forgets all earlier frames, as a cut needs it. Does not block.
+  void resetHistory();
+
+  /// Device memory held since prepare(). It does not include the caller's images.
+  MemoryUse memoryUse() const;
+
+  /// Times of all frames that have finished so far; never waits for more. Empty if timers are off.
+  Timings timings();
+  void clearTimings();
+
+  const Settings& settings() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> m_implementation;
+};
+
+}  // namespace quell

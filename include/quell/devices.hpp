@@ -1,0 +1,40 @@
+// Which OpenCL devices there are and which one to take.
+#pragma once
+
+#include <CL/cl.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace quell {
+
+struct DeviceInfo {
+  cl_platform_id platform = nullptr;
+  cl_device_id device = nullptr;
+  int index = 0;  ///< over all platforms, in the order of enumeration
+  std::string platformName;
+  std::string name;
+  std::string vendor;
+  std::string version;  ///< OpenCL version text of the device
+  std::string driverVersion;
+  std::string type;  ///< "GPU", "CPU", "accelerator" or "other"
+  unsigned computeUnits = 0;
+  std::size_t localMemoryBytes = 0;  ///< per work-group
+  std::size_t globalMemoryBytes = 0;
+  std::size_t maxWorkGroup = 0;  ///< work-items
+  bool images = false;
+  bool halfArithmetic = false;  ///< cl_khr_fp16; Quell needs only half storage, which every device has
+  bool profiling = false;       ///< event profiling; times can still turn out to be 0 on some runtimes
+};
+
+/// All available devices of all platforms; platforms without devices are skipped.
+/// Throws Error(NoDevice) if there is no platform or no device at all, saying what to install.
+std::vector<DeviceInfo> listDevices();
+
+/// Picks a device. `spec` is empty (a GPU if there is one, else an accelerator, else a CPU; the first of its
+/// kind), an index from listDevices(), or part of a device or platform name (case ignored). Throws
+/// Error(NoDevice) if none fits, naming those there are.
+DeviceInfo chooseDevice(const std::string& spec = "");
+
+}  // namespace quell

@@ -1,0 +1,51 @@
+// The buffer contract: what a renderer hands over for one frame and what it gets back.
+#pragma once
+
+#include <quell/camera.hpp>
+#include <quell/image_view.hpp>
+
+namespace quell {
+
+/// Inputs of one frame, in device memory that the caller owns; read until the event of denoise() has
+/// completed.
+///
+/// A pixel with NaN or Inf in radiance or emission is a missing sample: it keeps its history or is filled
+/// from its surroundings. A pixel whose position or normal is not finite passes through unfiltered.
+struct Frame {
+  Size size;
+  Camera camera;
+
+  /// Linear radiance with emission included, 1 to 4 channels (one is spread to RGB, a fourth ignored), one
+  /// sample per pixel or more. Negative values count as 0, values above 65504 as 65504.
+  ImageView radiance;
+  /// Shading normal, world space, unit length (0.5 to 2 is tolerated), 3 or 4 channels. A zero normal marks
+  /// background, which passes through unfiltered.
+  ImageView normalWorld;
+  /// World-space position, scene units, 3 or 4 channels. Half is accepted only while the camera is within
+  /// kHalfPositionRange of the world origin on every axis. Either this or viewDepth.
+  ImageView positionWorld;
+  /// Depth along the view axis, scene units, positive in front of the camera, 1 channel; perspective cameras
+  /// only.
+  ImageView viewDepth;
+  /// Diffuse albedo, reflectance 0 to 1; optional.
+  ImageView albedo;
+  /// Tint of the glossy lobe, reflectance 0 to 1, optional. Irradiance is (radiance - emission) / (albedo +
+  /// gloss colour); with neither given the factor is 1.
+  ImageView glossColor;
+  /// Emitted radiance and visible sky, linear, added back unfiltered; optional.
+  ImageView emission;
+  /// True where radiance is irradiance already: divided by albedo, emission not included.
+  bool demodulated = false;
+};
+
+/// Half has a spacing of 1/64 scene units here; beyond, positions are too coarse to tell surfaces apart.
+constexpr double kHalfPositionRange = 32.0;
+
+/// Outputs of one frame, either or both; 3 or 4 channels (a fourth becomes 1). Every pixel is written, always
+/// finite.
+struct Output {
+  ImageView linear;   ///< linear radiance before tone map and TAA, 0 to 65504
+  ImageView display;  ///< display-encoded (gamma 2.2) after TAA, 0 to 1
+};
+
+}  // namespace quell

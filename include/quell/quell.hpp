@@ -1,0 +1,9 @@
+// Everything of Quell's C++ API.
+#pragma once
+
+#include <quell/denoiser.hpp>
+#include <quell/devices.hpp>
+#include <quell/error.hpp>
+#include <quell/frame.hpp>
+#include <quell/settings.hpp>
+#include <quell/timings.hpp>

@@ -1,0 +1,56 @@
+// Methods and their settings, by name: one list serves C++ callers, command lines, files and documentation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace quell {
+
+enum class SettingKind { Real, Integer, Boolean, Choice };
+
+/// What a setting means and which values it takes.
+struct SettingDescription {
+  std::string name;
+  SettingKind kind = SettingKind::Real;
+  double defaultValue = 0.0;  ///< for Choice: index into `choices`; for Boolean: 0 or 1
+  double minimum = 0.0;       ///< smallest accepted value
+  double maximum = 0.0;       ///< largest accepted value
+  std::string unit;           ///< empty: a plain number
+  std::string description;
+  std::string source;                ///< paper and section, or how the default was found
+  std::vector<std::string> choices;  ///< for Choice only
+};
+
+/// Values of the settings of one method; starts at the defaults.
+class Settings {
+ public:
+  /// Throws Error(UnknownSetting) for an unknown method; methodNames() lists them.
+  explicit Settings(const std::string& method = "bmfr");
+
+  const std::string& method() const { return m_method; }
+
+  /// Throws Error(UnknownSetting) for an unknown name and Error(OutOfRange) for a value that is out of range,
+  /// not finite, or not a whole number where one is needed.
+  void set(const std::string& name, double value);
+  /// Accepts numbers, on/off/true/false for switches and the names of choices. Throws as above.
+  void set(const std::string& name, const std::string& text);
+
+  double get(const std::string& name) const;        ///< throws Error(UnknownSetting)
+  bool isOn(const std::string& name) const;         ///< get() != 0
+  std::string text(const std::string& name) const;  ///< the value as set(name, text) takes it
+  const std::vector<SettingDescription>& descriptions() const;
+
+ private:
+  std::size_t indexOf(const std::string& name) const;
+
+  std::string m_method;
+  std::vector<double> m_values;  // in the order of descriptions()
+};
+
+std::vector<std::string> methodNames();
+/// One line on what a method does. Throws Error(UnknownSetting).
+std::string methodSummary(const std::string& method);
+/// Throws Error(UnknownSetting).
+const std::vector<SettingDescription>& methodSettings(const std::string& method);
+
+}  // namespace quell

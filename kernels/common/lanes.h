@@ -1,0 +1,125 @@
+// Lanes: every per-pixel kernel is written once for QUELL_LANES neighbouring pixels of a row.
+//
+// QUELL_LANES is 1 on GPUs (one pixel a work-item, neighbouring work-items on neighbouring pixels: coalesced) and
+// 16 on CPU devices, whose compilers leave one-pixel work-items scalar. floatL, intL and uintL are the value types.
+// A comparison gives 1 per lane with one lane and -1 with sixteen, as OpenCL C defines; so masks are only ever
+// combined with && and || and used in ?:, which means the same for both. Ternaries take the place of fmin, fmax,
+// clamp and floor, which some CPU runtimes keep as calls.
+#ifndef QUELL_COMMON_LANES_H
+#define QUELL_COMMON_LANES_H
+
+#if QUELL_LANES == 16
+typedef float16 floatL;
+typedef int16 intL;
+typedef uint16 uintL;
+#define LANE_INDEX ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+#define TO_INT(v) convert_int16(v)
+#define TO_FLOAT(v) convert_float16(v)
+#define AS_INT(v) as_int16(v)
+#define AS_FLOAT(v) as_float16(v)
+#define AS_UINT(v) as_uint16(v)
+#define SQRT(v) sqrt(v)
+#elif QUELL_LANES == 1
+typedef float floatL;
+typedef int intL;
+typedef uint uintL;
+#define LANE_INDEX 0
+#define TO_INT(v) convert_int(v)
+#define TO_FLOAT(v) convert_float(v)
+#define AS_INT(v) as_int(v)
+#define AS_FLOAT(v) as_float(v)
+#define AS_UINT(v) as_uint(v)
+#define SQRT(v) sqrt(v)
+#else
+#error "QUELL_LANES must be 1 or 16"
+#endif
+
+typedef struct float3L {
+  floatL x, y, z;
+} float3L;
+
+#define ZERO_LANES ((floatL)(0.0f))
+#define ONE_LANES ((floatL)(1.0f))
+
+static inline floatL minLanes(floatL a, floatL b) { return a < b ? a : b; }
+static inline floatL maxLanes(floatL a, floatL b) { return a > b ? a : b; }
+static inline floatL clampLanes(floatL v, float low, float high) {
+  return minLanes(maxLanes(v, (floatL)(low)), (floatL)(high));
+}
+static inline floatL absLanes(floatL v) { return AS_FLOAT(AS_INT(v) & 0x7fffffff); }
+static inline intL minLanesInt(intL a, intL b) { return a < b ? a : b; }
+static inline intL maxLanesInt(intL a, intL b) { return a > b ? a : b; }
+
+// Largest integer not above v. |v| must be below 2^31.
+static inline intL floorLanes(floatL v) {
+  const intL truncated = TO_INT(v);
+  return truncated - (v < TO_FLOAT(truncated) ? (intL)(1) : (intL)(0));
+}
+
+// True where v is neither NaN nor Inf. Tests the exponent bits: v != v may be folded away by a compiler that assumes
+// finite arithmetic.
+static inline intL isFinite(floatL v) { return (AS_INT(v) & 0x7f800000) != 0x7f800000; }
+
+static inline int allLanes(intL mask) {
+#if QUELL_LANES == 1
+  return mask;
+#else
+  return all(mask);
+#endif
+}
+
+static inline int anyLane(intL mask) {
+#if QUELL_LANES == 1
+  return mask;
+#else
+  return any(mask);
+#endif
+}
+
+static inline float3L splat3(float v) {
+  float3L result;
+  result.x = (floatL)(v);
+  result.y = (floatL)(v);
+  result.z = (floatL)(v);
+  return result;
+}
+static inline float3L add3(float3L a, float3L b) {
+  a.x += b.x;
+  a.y += b.y;
+  a.z += b.z;
+  return a;
+}
+static inline float3L subtract3(float3L a, float3L b) {
+  a.x -= b.x;
+  a.y -= b.y;
+  a.z -= b.z;
+  return a;
+}
+static inline float3L multiply3(float3L a, float3L b) {
+  a.x *= b.x;
+  a.y *= b.y;
+  a.z *= b.z;
+  return a;
+}
+static inline float3L scale3(float3L a, floatL s) {
+  a.x *= s;
+  a.y *= s;
+  a.z *= s;
+  return a;
+}
+static inline float3L select3(intL mask, float3L a, float3L b) {
+  a.x = mask ? a.x : b.x;
+  a.y = mask ? a.y : b.y;
+  a.z = mask ? a.z : b.z;
+  return a;
+}
+static inline float3L clamp3(float3L a, float low, float high) {
+  a.x = clampLanes(a.x, low, high);
+  a.y = clampLanes(a.y, low, high);
+  a.z = clampLanes(a.z, low, high);
+  return a;
+}
+static inline floatL dot3(float3L a, float3L b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static inline intL isFinite3(float3L v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z); }
+
+#endif

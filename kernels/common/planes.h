@@ -1,0 +1,124 @@
+// Quell's own planes: loads, stores and gathers of QUELL_LANES pixels. See PlaneParams in types.h.
+#ifndef QUELL_COMMON_PLANES_H
+#define QUELL_COMMON_PLANES_H
+
+#include "common/lanes.h"
+#include "common/types.h"
+
+// Element of pixel (x, y) within a plane; x from -QUELL_PLANE_MARGIN to width, y from -1 to height.
+static inline int planeIndex(PlaneParams planes, int x, int y) {
+  return (y + QUELL_PLANE_MARGIN_ROWS) * planes.pitch + QUELL_PLANE_MARGIN + x;
+}
+
+static inline floatL loadLanes(__global const float* plane) {
+#if QUELL_LANES == 1
+  return plane[0];
+#else
+  return vload16(0, plane);
+#endif
+}
+
+static inline void storeLanes(floatL value, __global float* plane) {
+#if QUELL_LANES == 1
+  plane[0] = value;
+#else
+  vstore16(value, 0, plane);
+#endif
+}
+
+static inline intL loadByteLanes(__global const uchar* plane) {
+#if QUELL_LANES == 1
+  return plane[0];
+#else
+  return convert_int16(vload16(0, plane));
+#endif
+}
+
+// Values must be in [0, 255].
+static inline void storeByteLanes(intL value, __global uchar* plane) {
+#if QUELL_LANES == 1
+  plane[0] = (uchar)value;
+#else
+  vstore16(convert_uchar16(value), 0, plane);
+#endif
+}
+
+static inline float3L loadLanes3(__global const float* planes, int index, int stride) {
+  float3L result;
+  result.x = loadLanes(planes + index);
+  result.y = loadLanes(planes + index + stride);
+  result.z = loadLanes(planes + index + 2 * stride);
+  return result;
+}
+
+static inline void storeLanes3(float3L value, __global float* planes, int index, int stride) {
+  storeLanes(value.x, planes + index);
+  storeLanes(value.y, planes + index + stride);
+  storeLanes(value.z, planes + index + 2 * stride);
+}
+
+// How to fetch one element per lane from arbitrary places. Reprojection is smooth, so the places of sixteen
+// neighbours nearly always form one run of consecutive elements, or two where the motion crosses a pixel boundary or
+// a silhouette; then one or two vector loads replace sixteen scalar ones.
+typedef struct GatherPlan {
+  intL index;
+#if QUELL_LANES > 1
+  intL inFirstRun;
+  int firstRun;  // element that lane 0 of the first run reads
+  int lastRun;   // element that lane 0 of the last run would read
+  int runs;      // 1 or 2: vector loads; 0: scattered
+#endif
+} GatherPlan;
+
+static inline GatherPlan planGather(intL index) {
+  GatherPlan plan;
+  plan.index = index;
+#if QUELL_LANES > 1
+  plan.firstRun = index.s0;
+  plan.lastRun = index.sf - 15;
+  plan.inFirstRun = index == plan.firstRun + LANE_INDEX;
+  const intL inLastRun = index == plan.lastRun + LANE_INDEX;
+  plan.runs = all(plan.inFirstRun) ? 1 : all(plan.inFirstRun || inLastRun) ? 2 : 0;
+#endif
+  return plan;
+}
+
+static inline floatL gatherLanes(__global const float* plane, GatherPlan plan) {
+#if QUELL_LANES == 1
+  return plane[plan.index];
+#else
+  if (plan.runs == 1) return vload16(0, plane + plan.firstRun);
+  if (plan.runs == 2)
+    return plan.inFirstRun ? vload16(0, plane + plan.firstRun) : vload16(0, plane + plan.lastRun);
+  const intL i = plan.index;
+  return (float16)(plane[i.s0], plane[i.s1], plane[i.s2], plane[i.s3], plane[i.s4], plane[i.s5], plane[i.s6],
+                   plane[i.s7], plane[i.s8], plane[i.s9], plane[i.sa], plane[i.sb], plane[i.sc], plane[i.sd],
+                   plane[i.se], plane[i.sf]);
+#endif
+}
+
+static inline floatL gatherByteLanes(__global const uchar* plane, GatherPlan plan) {
+#if QUELL_LANES == 1
+  return convert_float(plane[plan.index]);
+#else
+  if (plan.runs == 1) return convert_float16(vload16(0, plane + plan.firstRun));
+  if (plan.runs == 2) {
+    const float16 first = convert_float16(vload16(0, plane + plan.firstRun));
+    return plan.inFirstRun ? first : convert_float16(vload16(0, plane + plan.lastRun));
+  }
+  const intL i = plan.index;
+  return (float16)(plane[i.s0], plane[i.s1], plane[i.s2], plane[i.s3], plane[i.s4], plane[i.s5], plane[i.s6],
+                   plane[i.s7], plane[i.s8], plane[i.s9], plane[i.sa], plane[i.sb], plane[i.sc], plane[i.sd],
+                   plane[i.se], plane[i.sf]);
+#endif
+}
+
+static inline float3L gatherLanes3(__global const float* planes, GatherPlan plan, int stride) {
+  float3L result;
+  result.x = gatherLanes(planes, plan);
+  result.y = gatherLanes(planes + stride, plan);
+  result.z = gatherLanes(planes + 2 * stride, plan);
+  return result;
+}
+
+#endif

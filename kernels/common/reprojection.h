@@ -1,0 +1,125 @@
+// Temporal reprojection with a discard test per bilinear tap.
+// Paper: Koskela et al. 2019, phase I (preprocessing): "We use bilinear sampling of the history data and do a discard
+// test for each pixel separately"; world positions and shading normals decide.
+// Departures: positions are camera-relative; limits follow the pixel's footprint unless they are set in scene units;
+// the result is rounded to 1/256 pixel; taps are also weighted by how much of their pixel was filtered at all.
+#ifndef QUELL_COMMON_REPROJECTION_H
+#define QUELL_COMMON_REPROJECTION_H
+
+#include "common/image_access.h"
+#include "common/planes.h"
+#include "common/reprojection_params.h"
+
+typedef struct Surface {
+  float3L position;  // relative to this frame's camera, scene units
+  float3L normal;    // world space
+  intL valid;        // a finite position and a usable normal: neither background nor broken
+} Surface;
+
+// Bilinear taps in the order (0,0) (1,0) (0,1) (1,1); bit i of `accepted` belongs to tap i.
+typedef struct BilinearTaps {
+  GatherPlan plan;  // of tap (0,0); the others lie 1, pitch and pitch + 1 elements further
+  floatL weight[4];
+  intL inFrame[4];
+} BilinearTaps;
+
+static inline floatL affine(QuellFloat4 row, float3L p) { return row.x * p.x + row.y * p.y + row.z * p.z + row.w; }
+static inline floatL linear(QuellFloat4 row, float3L p) { return row.x * p.x + row.y * p.y + row.z * p.z; }
+
+// Camera-relative point at clip.w = 1 through the centre of pixel (x, y).
+static inline float3L viewRay(ReprojectionParams params, floatL x, floatL y) {
+  float3L ray;
+  ray.x = params.rayOrigin.x + x * params.rayX.x + y * params.rayY.x;
+  ray.y = params.rayOrigin.y + x * params.rayX.y + y * params.rayY.y;
+  ray.z = params.rayOrigin.z + x * params.rayX.z + y * params.rayY.z;
+  return ray;
+}
+
+// Rounds to 1/256 pixel. |v| must be below 2^23.
+static inline floatL roundToSubpixel(floatL v) {
+  return TO_FLOAT(floorLanes(v * QUELL_SUBPIXEL_STEPS + 0.5f)) * (1.0f / QUELL_SUBPIXEL_STEPS);
+}
+
+// Pixel index in the frame before, rounded to 1/256; lanes that lie outside by a pixel or more, or behind the camera,
+// are flagged in `inside` and moved to 0.
+static inline intL reproject(ReprojectionParams params, float3L position, intL isDirection, int width, int height,
+                             floatL* xPrev, floatL* yPrev) {
+  const floatL translate = isDirection ? ZERO_LANES : ONE_LANES;
+  const floatL w = linear(params.clipWPrev, position) + translate * params.clipWPrev.w;
+  const floatL inverse = 1.0f / w;
+  const floatL x = (linear(params.pixelXPrev, position) + translate * params.pixelXPrev.w) * inverse;
+  const floatL y = (linear(params.pixelYPrev, position) + translate * params.pixelYPrev.w) * inverse;
+  const intL inside =
+      w > 0.0f && x > -1.0f && x < (float)width && y > -1.0f && y < (float)height && params.historyValid != 0;
+  *xPrev = inside ? roundToSubpixel(inside ? x : ZERO_LANES) : ZERO_LANES;
+  *yPrev = inside ? roundToSubpixel(inside ? y : ZERO_LANES) : ZERO_LANES;
+  return inside;
+}
+
+// Bilinear taps at pixel index (x, y), which must lie in [-1, width] x [-1, height].
+static inline BilinearTaps bilinearTaps(PlaneParams planes, floatL x, floatL y) {
+  BilinearTaps taps;
+  const intL column = floorLanes(x);
+  const intL row = floorLanes(y);
+  const floatL fractionX = x - TO_FLOAT(column);
+  const floatL fractionY = y - TO_FLOAT(row);
+  taps.weight[0] = (1.0f - fractionX) * (1.0f - fractionY);
+  taps.weight[1] = fractionX * (1.0f - fractionY);
+  taps.weight[2] = (1.0f - fractionX) * fractionY;
+  taps.weight[3] = fractionX * fractionY;
+  const intL left = column >= 0 && column < planes.width;
+  const intL right = column >= -1 && column < planes.width - 1;
+  const intL top = row >= 0 && row < planes.height;
+  const intL bottom = row >= -1 && row < planes.height - 1;
+  taps.inFrame[0] = left && top;
+  taps.inFrame[1] = right && top;
+  taps.inFrame[2] = left && bottom;
+  taps.inFrame[3] = right && bottom;
+  taps.plan = planGather((row + QUELL_PLANE_MARGIN_ROWS) * planes.pitch + QUELL_PLANE_MARGIN + column);
+  return taps;
+}
+
+// Distance in elements from tap (0,0) to tap i.
+static inline int tapOffset(PlaneParams planes, int i) { return (i & 1) + (i >> 1) * planes.pitch; }
+
+// Is a history sample at this position with this normal the same surface? `limitSquared` in scene units squared.
+static inline intL sameSurface(ReprojectionParams params, Surface surface, float3L positionPrev, float3L normalPrev,
+                               floatL limitSquared) {
+  const float3L normalStep = subtract3(normalPrev, surface.normal);
+  float3L step = subtract3(positionPrev, surface.position);
+  step.x += params.cameraMotion.x;
+  step.y += params.cameraMotion.y;
+  step.z += params.cameraMotion.z;
+  return dot3(step, step) <= limitSquared && dot3(normalStep, normalStep) <= params.normalLimitSquared;
+}
+
+// Largest accepted squared distance between a surface point and its history, scene units squared.
+static inline floatL positionLimitSquared(ReprojectionParams params, Surface surface) {
+  const floatL depth = affine(params.clipW, surface.position);
+  const floatL limit = params.positionLimit + params.positionLimitFootprint * maxLanes(depth, ZERO_LANES);
+  return limit * limit;
+}
+
+// World position (POSITION_*) or clip.w depth (DEPTH_*), and the normal, to a camera-relative surface point.
+static inline Surface makeSurface(ReprojectionParams params, float3L positionWorld, float3L normal) {
+  Surface surface;
+  surface.position.x = (positionWorld.x - params.cameraHigh.x) - params.cameraLow.x;
+  surface.position.y = (positionWorld.y - params.cameraHigh.y) - params.cameraLow.y;
+  surface.position.z = (positionWorld.z - params.cameraHigh.z) - params.cameraLow.z;
+  surface.normal = normal;
+  return surface;
+}
+
+// Marks what can be filtered, and replaces everything else by zeros, which no later stage can stumble over.
+static inline Surface checkSurface(Surface surface) {
+  const floatL lengthSquared = dot3(surface.normal, surface.normal);
+  surface.valid = isFinite3(surface.position) && absLanes(surface.position.x) < QUELL_MAX_POSITION &&
+                  absLanes(surface.position.y) < QUELL_MAX_POSITION &&
+                  absLanes(surface.position.z) < QUELL_MAX_POSITION && lengthSquared >= QUELL_MIN_NORMAL_SQUARED &&
+                  lengthSquared <= QUELL_MAX_NORMAL_SQUARED;
+  surface.position = select3(surface.valid, surface.position, splat3(0.0f));
+  surface.normal = select3(surface.valid, surface.normal, splat3(0.0f));
+  return surface;
+}
+
+#endif

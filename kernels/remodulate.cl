@@ -1,0 +1,62 @@
+// remodulate: filtered irradiance back to radiance: k * factor * filtered + (1 - k) * signal, plus emission.
+// Paper:   Koskela et al. 2019, post-processing: albedo, removed before phase I, is multiplied back. The blend k is
+//          described in common/demodulation.h.
+// In:      filtered irradiance (3 planes), guides, the caller's radiance, emission, albedo and gloss colour.
+// Out:     linear radiance as 3 planes and, if the caller wants it, in the caller's layout; finite, in [0, 65504].
+//          Background and broken surfaces pass the signal through; a missing sample there is black.
+#include "accumulate_noisy_params.h"
+#include "common/demodulation.h"
+#include "common/planes.h"
+#include "remodulate_params.h"
+
+__kernel void remodulate(__global const float* filtered, __global const float* guides,
+                         __global const uchar* radianceData, __global const uchar* emissionData,
+                         __global const uchar* albedoData, __global const uchar* glossColorData,
+                         __global float* linearPlanes, __global uchar* outputData, RemodulateParams params) {
+  const PlaneParams planes = params.planes;
+  const int x = (int)get_global_id(0) * QUELL_LANES;
+  const int y = (int)get_global_id(1);
+  if (x >= planes.width || y >= planes.height) return;
+  const int lanes = min(QUELL_LANES, planes.width - x);
+  const int index = planeIndex(planes, x, y);
+
+  const float3L radiance = LOAD_PIXELS(RADIANCE, radianceData, params.radiance, x, y, lanes);
+  float3L emission = splat3(0.0f);
+  float3L factor = splat3(1.0f);
+#if EMISSION_FORMAT
+  emission = LOAD_PIXELS(EMISSION, emissionData, params.emission, x, y, lanes);
+#endif
+#if ALBEDO_FORMAT && GLOSSCOLOR_FORMAT
+  factor = add3(cleanFactor3(LOAD_PIXELS(ALBEDO, albedoData, params.albedo, x, y, lanes)),
+                cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes)));
+#elif ALBEDO_FORMAT
+  factor = cleanFactor3(LOAD_PIXELS(ALBEDO, albedoData, params.albedo, x, y, lanes));
+#elif GLOSSCOLOR_FORMAT
+  factor = cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes));
+#endif
+  const intL emissionFinite = isFinite3(emission);
+  const intL finite = isFinite3(radiance) && emissionFinite;
+  const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * planes.stride, index, planes.stride);
+  const intL surface = dot3(normal, normal) > 0.0f;
+#if DEMODULATED
+  const float3L signal = multiply3(cleanSignal(radiance, splat3(0.0f), finite), factor);
+  float3L share = splat3(1.0f);
+#else
+  const float3L signal = cleanSignal(radiance, emission, finite);
+  float3L share = filteredShare3(factor);
+#endif
+  share = select3(surface, share, splat3(0.0f));
+
+  float3L radianceOut = multiply3(factor, loadLanes3(filtered, index, planes.stride));
+  radianceOut.x = signal.x + share.x * (radianceOut.x - signal.x);
+  radianceOut.y = signal.y + share.y * (radianceOut.y - signal.y);
+  radianceOut.z = signal.z + share.z * (radianceOut.z - signal.z);
+  radianceOut = add3(radianceOut, select3(emissionFinite, emission, splat3(0.0f)));
+  radianceOut = clamp3(radianceOut, 0.0f, QUELL_MAX_RADIANCE);
+#if WRITE_PLANES
+  storeLanes3(radianceOut, linearPlanes, index, planes.stride);
+#endif
+#if OUTPUT_FORMAT
+  STORE_PIXELS(OUTPUT, radianceOut, outputData, params.output, x, y, lanes);
+#endif
+}

@@ -1,0 +1,98 @@
+// temporal_antialiasing: blends the display-encoded frame with its clamped history.
+// Paper:   Koskela et al. 2019, last step of phase III, after Karis 2014; as in the reference implementation the
+//          history is clamped in YCoCg to the mean of the bounds of the 3x3 box and of its cross, and the newest frame
+//          weighs 0.2.
+// In:      encoded frame (3 planes, [0, 1]), encoded output of the frame before, pixel index in the frame before,
+//          reprojection mask. Out: encoded output as history (3 planes) and in the caller's layout.
+// Border:  neighbours and taps outside the image are left out and the bilinear weights renormalised.
+// Departures: a pixel that was outside the frame before keeps the newest colour (the reference divides 0 by 0 there).
+#include "accumulate_noisy_params.h"
+#include "common/reprojection.h"
+#include "temporal_antialiasing_params.h"
+
+// RGB to YCoCg with gains 4, 2, 4 left in; the inverse takes them out.
+static inline float3L toYCoCg(float3L rgb) {
+  float3L v;
+  v.x = rgb.x + 2.0f * rgb.y + rgb.z;
+  v.y = 2.0f * (rgb.x - rgb.z);
+  v.z = 2.0f * rgb.y - rgb.x - rgb.z;
+  return v;
+}
+
+static inline float3L toRgb(float3L v) {
+  float3L rgb;
+  rgb.x = 0.25f * (v.x + v.y - v.z);
+  rgb.y = 0.25f * (v.x + v.z);
+  rgb.z = 0.25f * (v.x - v.y - v.z);
+  return rgb;
+}
+
+typedef struct Bounds {
+  float3L low;
+  float3L high;
+} Bounds;
+
+static inline Bounds include(Bounds bounds, float3L v, intL mask) {
+  bounds.low.x = mask && v.x < bounds.low.x ? v.x : bounds.low.x;
+  bounds.low.y = mask && v.y < bounds.low.y ? v.y : bounds.low.y;
+  bounds.low.z = mask && v.z < bounds.low.z ? v.z : bounds.low.z;
+  bounds.high.x = mask && v.x > bounds.high.x ? v.x : bounds.high.x;
+  bounds.high.y = mask && v.y > bounds.high.y ? v.y : bounds.high.y;
+  bounds.high.z = mask && v.z > bounds.high.z ? v.z : bounds.high.z;
+  return bounds;
+}
+
+static inline floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA, floatL highB) {
+  return minLanes(maxLanes(v, 0.5f * (lowA + lowB)), 0.5f * (highA + highB));
+}
+
+__kernel void temporal_antialiasing(__global const float* encoded, __global const float* antialiasedPrev,
+                                    __global const float* pixelPrev, __global const uchar* reprojectionMask,
+                                    __global float* antialiased, __global uchar* outputData,
+                                    TemporalAntialiasingParams params) {
+  const PlaneParams planes = params.planes;
+  const int x = (int)get_global_id(0) * QUELL_LANES;
+  const int y = (int)get_global_id(1);
+  if (x >= planes.width || y >= planes.height) return;
+  const int index = planeIndex(planes, x, y);
+
+  const float3L newest = loadLanes3(encoded, index, planes.stride);
+  const float3L centre = toYCoCg(newest);
+  Bounds cross, box;
+  cross.low = centre;
+  cross.high = centre;
+  box = cross;
+  const intL column = x + LANE_INDEX;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      const intL inside =
+          column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 && (intL)(y + dy) < planes.height;
+      const float3L neighbour = toYCoCg(loadLanes3(encoded, index + dy * planes.pitch + dx, planes.stride));
+      box = include(box, neighbour, inside);
+      if (dx == 0 || dy == 0) cross = include(cross, neighbour, inside);
+    }
+  }
+
+  const BilinearTaps taps =
+      bilinearTaps(planes, loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + planes.stride));
+  float3L sum = splat3(0.0f);
+  floatL weightSum = ZERO_LANES;
+  for (int i = 0; i < 4; ++i) {
+    const floatL weight = taps.inFrame[i] ? taps.weight[i] : ZERO_LANES;
+    sum = add3(sum, scale3(gatherLanes3(antialiasedPrev + tapOffset(planes, i), taps.plan, planes.stride), weight));
+    weightSum += weight;
+  }
+  const intL hasHistory =
+      (loadByteLanes(reprojectionMask + index) & QUELL_PREV_IN_FRAME) != 0 && weightSum > 0.0f;
+  float3L history = toYCoCg(scale3(sum, 1.0f / (hasHistory ? weightSum : ONE_LANES)));
+  history.x = clampToMean(history.x, box.low.x, cross.low.x, box.high.x, cross.high.x);
+  history.y = clampToMean(history.y, box.low.y, cross.low.y, box.high.y, cross.high.y);
+  history.z = clampToMean(history.z, box.low.z, cross.low.z, box.high.z, cross.high.z);
+  const float3L blended =
+      add3(scale3(newest, (floatL)(params.newestWeight)), scale3(toRgb(history), (floatL)(1.0f - params.newestWeight)));
+  const float3L result = clamp3(select3(hasHistory, blended, newest), 0.0f, 1.0f);
+  storeLanes3(result, antialiased, index, planes.stride);
+#if OUTPUT_FORMAT
+  STORE_PIXELS(OUTPUT, result, outputData, params.output, x, y, min(QUELL_LANES, planes.width - x));
+#endif
+}

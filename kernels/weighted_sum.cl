@@ -1,0 +1,44 @@
+// weighted_sum: evaluates the block's fit with the noise-free features.
+// Paper:   Koskela et al. 2019, eq. (6): the synthesis uses the noise-free buffers T; negative results are clamped to 0
+//          as in the reference implementation.
+// In:      records of the stage fit, guides of this frame. Out: fitted irradiance (3 planes), >= 0; 0 at background.
+// Grid:    work-items follow the displaced blocks, so that all lanes of one share a record; the parts of them outside
+//          the image fall into the margins of the planes.
+#include "accumulate_noisy_params.h"
+#include "common/fit_features.h"
+#include "common/planes.h"
+#include "fit_params.h"
+
+#define ITEMS_PER_BLOCK_ROW (QUELL_BLOCK_EDGE / QUELL_LANES)
+
+__kernel void weighted_sum(__global const float* records, __global const float* guides, __global float* fitted,
+                           FitParams params) {
+  const int itemX = (int)get_global_id(0);
+  const int rowY = (int)get_global_id(1);
+  const int x = params.blockOffsetX + itemX * QUELL_LANES;
+  const int y = params.blockOffsetY + rowY;
+  if (itemX >= params.blocksX * ITEMS_PER_BLOCK_ROW || x <= -QUELL_LANES || x >= params.planes.width || y < 0 ||
+      y >= params.planes.height)
+    return;
+  const int block = (rowY / QUELL_BLOCK_EDGE) * params.blocksX + itemX / ITEMS_PER_BLOCK_ROW;
+  __global const float* record = records + block * QUELL_FIT_RECORD;
+  const int index = planeIndex(params.planes, x, y);
+  const int stride = params.planes.stride;
+
+  float3L position = loadLanes3(guides + QUELL_GUIDE_POSITION * stride, index, stride);
+  const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * stride, index, stride);
+  position.x = (position.x - record[QUELL_FIT_ANCHOR]) * record[QUELL_FIT_SCALE];
+  position.y = (position.y - record[QUELL_FIT_ANCHOR + 1]) * record[QUELL_FIT_SCALE + 1];
+  position.z = (position.z - record[QUELL_FIT_ANCHOR + 2]) * record[QUELL_FIT_SCALE + 2];
+  floatL features[QUELL_FEATURES];
+  makeFeatures(features, normal, position);
+
+  float3L sum = splat3(0.0f);
+  for (int j = 0; j < QUELL_FEATURES; ++j) {
+    sum.x += features[j] * record[j * QUELL_FIT_CHANNELS];
+    sum.y += features[j] * record[j * QUELL_FIT_CHANNELS + 1];
+    sum.z += features[j] * record[j * QUELL_FIT_CHANNELS + 2];
+  }
+  const intL surface = dot3(normal, normal) > 0.0f && isFinite3(sum);
+  storeLanes3(select3(surface, clamp3(sum, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f)), fitted, index, stride);
+}
