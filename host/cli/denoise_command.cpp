@@ -30,6 +30,7 @@ struct DenoiseOptions {
   std::string size = "1280x720";
   std::string taa;
   std::string timers = "device";
+  std::string mapping = "automatic";
   std::string json;
   std::string cacheDirectory;
   std::vector<std::string> settings;
@@ -105,6 +106,9 @@ Options makeOptions(const DenoiseOptions& options) {
   result.timers = options.timers == "off"    ? TimerMode::Off
                   : options.timers == "host" ? TimerMode::Host
                                              : TimerMode::Device;
+  result.mapping = options.mapping == "narrow" ? Mapping::Narrow
+                   : options.mapping == "wide" ? Mapping::Wide
+                                               : Mapping::Automatic;
   if (options.noCache) {
     result.cacheDirectory = "";
   } else if (!options.cacheDirectory.empty()) {
@@ -202,6 +206,11 @@ void addDenoiseCommand(CLI::App& app) {
   command->add_option("--set", options->settings, "A setting of the method, name=value; may be repeated");
   command->add_option("--timers", options->timers, "Where stage times come from")
       ->check(CLI::IsMember({"device", "host", "off"}))
+      ->capture_default_str();
+  command
+      ->add_option("--mapping", options->mapping,
+                   "Pixels per work-item: 16 (wide), 1 (narrow), or what suits the device")
+      ->check(CLI::IsMember({"automatic", "wide", "narrow"}))
       ->capture_default_str();
   command->add_option("--json", options->json, "File for the report as JSON");
   command->add_option("--cache-directory", options->cacheDirectory, "Where compiled kernels are kept");

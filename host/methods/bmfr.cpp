@@ -34,7 +34,7 @@ std::vector<SettingDescription> settings() {
        {}},
       {"positionLimitFootprints",
        Kind::Real,
-       4.0,
+       8.0,
        0.0,
        1e6,
        "pixel footprints",

@@ -16,8 +16,8 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kMaxPixelsPerDegree = 1000.0;  // keeps the filters to a few hundred taps
 
-/// Contrast sensitivity of one opponent channel as a sum of two Gaussians of visual angle (paper, Table 1):
-/// a1 sqrt(pi/b1) exp(-pi^2 d^2/b1) + a2 sqrt(pi/b2) exp(-pi^2 d^2/b2), d in degrees. a2 = 0: only one.
+/// Contrast sensitivity of one opponent channel: two Gaussians of visual angle d in degrees (spatial
+/// filtering), a1 sqrt(pi/b1) exp(-pi^2 d^2/b1) + a2 sqrt(pi/b2) exp(-pi^2 d^2/b2). a2 = 0: only one.
 struct Sensitivity {
   double a1, b1, a2, b2;
 };
@@ -26,12 +26,16 @@ constexpr Sensitivity kRedGreen = {1.0, 0.0053, 0.0, 1.0e-5};
 constexpr Sensitivity kBlueYellow = {34.1, 0.04, 13.5, 0.025};
 constexpr double kWidestScale = kBlueYellow.b1;  // fixes one radius for all channels
 
-constexpr double kRadiusSigmas = 3.0;           // filters end here
-constexpr double kColorExponent = 0.7;          // q_c, Sec. 4.1.3
-constexpr double kCompressionKnee = 0.4;        // p_c: share of the largest colour difference ...
-constexpr double kCompressionValue = 0.95;      // p_t: ... that maps to this error
-constexpr double kFeatureWidthDegrees = 0.082;  // w: detector width from peak to trough, Sec. 4.2.1
-constexpr double kFeatureExponent = 0.5;        // q_f, Sec. 4.2.2
+constexpr double kRadiusSigmas = 3.0;  // filters end here
+/// q_c, exponent of colour differences (paper: color metric).
+constexpr double kColorExponent = 0.7;
+/// p_c and p_t: this share of the largest colour difference maps to this error (paper: color metric).
+constexpr double kCompressionKnee = 0.4;
+constexpr double kCompressionValue = 0.95;
+/// w, degrees: width of the detectors from peak to trough (paper: feature detection).
+constexpr double kFeatureWidthDegrees = 0.082;
+/// q_f, exponent of feature differences (paper: feature metric).
+constexpr double kFeatureExponent = 0.5;
 
 using Planes = std::array<Plane, 3>;
 
@@ -95,7 +99,7 @@ double largestColorDifference() {
   return std::pow(hyabDistance(green, blue), kColorExponent);
 }
 
-/// Compresses the range of large differences (Sec. 4.1.3): [0, knee] to [0, p_t], the rest to [p_t, 1].
+/// Compresses the range of large differences: [0, knee] to [0, p_t], the rest to [p_t, 1].
 double colorError(double hyab, double largest) {
   const double difference = std::pow(hyab, kColorExponent);
   const double knee = kCompressionKnee * largest;

@@ -15,7 +15,7 @@ constexpr ColorMatrix kLinearFromXyz = {{{12831.0 / 3959.0, -329.0 / 214.0, -197
                                          {-851781.0 / 878810.0, 1648619.0 / 878810.0, 36519.0 / 878810.0},
                                          {705.0 / 12673.0, -2585.0 / 12673.0, 705.0 / 667.0}}};
 
-// Scales and offset of CIE 1976 L*a*b*, shared by its linearised form YCxCz (paper, Sec. 4.1.1).
+// Scales and offset of CIE 1976 L*a*b*, shared by its linearised form YCxCz (paper: color pipeline).
 constexpr double kLightnessScale = 116.0;
 constexpr double kLightnessOffset = 16.0;
 constexpr double kRedGreenScale = 500.0;

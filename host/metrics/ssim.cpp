@@ -19,7 +19,8 @@ struct WindowMoments {
   double meanX, meanY, meanXX, meanYY, meanXY;
 };
 
-/// Eq. 13 of the paper (alpha = beta = gamma = 1, C3 = C2 / 2).
+/// The index with the exponents and the third constant that the paper settles on (alpha = beta = gamma = 1,
+/// C3 = C2 / 2).
 double ssimIndex(const WindowMoments& m) {
   const double varianceX = m.meanXX - m.meanX * m.meanX;
   const double varianceY = m.meanYY - m.meanY * m.meanY;

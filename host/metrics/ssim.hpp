@@ -1,6 +1,5 @@
 // Structural similarity. Z. Wang, A. C. Bovik, H. R. Sheikh, E. P. Simoncelli, "Image Quality Assessment:
-// From Error Visibility to Structural Similarity", IEEE Transactions on Image Processing 13(4), 2004, Sec.
-// III.
+// From Error Visibility to Structural Similarity", IEEE Transactions on Image Processing 13(4), 2004.
 #pragma once
 
 #include "host/io/image.hpp"

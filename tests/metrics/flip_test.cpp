@@ -91,7 +91,7 @@ class SlowFlip {
   double m_ppd;
 };
 
-/// Section 4.1.3: HyAB distance to colour error.
+/// HyAB distance to colour error, as in the paper's color metric.
 double colorErrorByHand(double hyab) {
   const double largest = std::pow(hyabDistance(huntAdjusted(labFromLinear({0.0, 1.0, 0.0})),
                                                huntAdjusted(labFromLinear({0.0, 0.0, 1.0}))),

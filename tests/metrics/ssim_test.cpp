@@ -21,7 +21,8 @@ double lumaAt(const Image& image, int x, int y) {
          0.0722 * double(image.at(x, y, 2));
 }
 
-/// Wang et al. 2004, Eq. 14 to 16 and 13, for the 11x11 window whose top left corner is at (left, top).
+/// The index of Wang et al. 2004 with Gaussian-weighted moments, for the 11x11 window whose top left corner
+/// is at (left, top).
 double windowSsim(const Image& a, const Image& b, int left, int top) {
   double total = 0.0, meanA = 0.0, meanB = 0.0, varianceA = 0.0, varianceB = 0.0, covariance = 0.0;
   const auto weight = [](int i, int j) {

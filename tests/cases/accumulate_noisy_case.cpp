@@ -1,0 +1,116 @@
+#include "tests/cases/accumulate_noisy_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/random_images.hpp"
+#include "tests/support/test_scene.hpp"
+
+namespace quell::tests {
+namespace {
+
+StageSetup makeAccumulateNoisySetup(const CaseOptions& options, const AccumulateNoisyVariant& variant) {
+  StageSetup setup = makeSetup(options);
+  setMaterialViews(setup.frame, variant.material, options.layout, options.size);
+  ImageLayout guide = options.layout;
+  guide.channels = std::max(3, guide.channels);
+  setup.frame.normalWorld = makeView(guide, options.size);
+  guide.format = ComponentFormat::Float32;
+  if (variant.viewDepth) {
+    guide.channels = 1;
+    setup.frame.viewDepth = makeView(guide, options.size);
+  } else {
+    setup.frame.positionWorld = makeView(guide, options.size);
+  }
+  return setup;
+}
+
+// Weights below 1 where the material fades out, 0 where a pixel could not be filtered; lengths up to the
+// largest.
+void randomHistory(AccumulateNoisyInputs& inputs, Size size, unsigned seed) {
+  Random random(seed);
+  inputs.irradiancePrev = randomPlanes(size, 3, seed + 1, 0.0, 8.0);
+  inputs.historyLengthPrev = Planes(size, 1);
+  forEachPixel(size, [&](int x, int y) {
+    const double kind = random.uniform();
+    float& weight = inputs.guidesPrev.at(QUELL_GUIDE_WEIGHT, x, y);
+    if (kind < 0.03) {
+      weight = 0.0f;
+    } else if (kind < 0.1) {
+      weight *= float(random.uniform(0.001, 1.0));
+    }
+    const int longest = kind < 0.2 ? QUELL_MAX_HISTORY_LENGTH : 12;
+    inputs.historyLengthPrev.at(0, x, y) = weight > 0.0f ? float(random.integer(1, longest)) : 0.0f;
+  });
+}
+
+void comparePixelPrev(Comparison& comparison, const Planes& device, const ExactPlanes& exact,
+                      const BasicPlanes<char>& undecided) {
+  forEachPixel(exact.size(), [&](int x, int y) {
+    if (undecided.at(0, x, y)) return;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double steps = device.at(axis, x, y) * QUELL_SUBPIXEL_STEPS;
+      const double error = std::abs(device.at(axis, x, y) - exact.at(axis, x, y));
+      comparison.include("pixelPrev in steps", axis, x, y, steps, std::floor(steps));
+      // As a share of what is allowed, brought to the measure of the other outputs.
+      const double share = error / kPixelPrevTolerance;
+      comparison.include("pixelPrev error", axis, x, y, share <= 1.0 ? 0.0 : share, 0.0);
+    }
+  });
+}
+
+}  // namespace
+
+AccumulateNoisyCase::AccumulateNoisyCase(const CaseOptions& options, const AccumulateNoisyVariant& variant)
+    : StageCase("accumulate_noisy", makeAccumulateNoisySetup(options, variant)),
+      m_viewDepth(variant.viewDepth) {
+  const SceneView view = renderScene({}, options.size);
+  inputs.material = randomMaterial(variant.material, options.size, options.seed);
+  inputs.normal = view.normalWorld;
+  inputs.position = variant.viewDepth ? view.viewDepth : view.positionWorld;
+  inputs.positionIsDepth = variant.viewDepth;
+  inputs.guidesPrev = renderScene(movedCamera(), options.size).guides;
+  inputs.leastWeight = float(m_harness.configuration().settings.get("noisyLeastWeight"));
+  randomHistory(inputs, options.size, options.seed + 20);
+  useReprojection(makeReprojection({}, movedCamera(), options.size));
+}
+
+void AccumulateNoisyCase::useReprojection(const ReprojectionParams& reprojection) {
+  inputs.reprojection = reprojection;
+  m_reprojection = reprojection;
+}
+
+void AccumulateNoisyCase::upload() {
+  ImageView Frame::*const position = m_viewDepth ? &Frame::viewDepth : &Frame::positionWorld;
+  uploadMaterial(m_harness, inputs.material);
+  m_harness.setInput(&Frame::normalWorld, inputs.normal);
+  m_harness.setInput(position, inputs.position);
+  inputs.normal = asStored(inputs.normal, m_harness.configuration().frame.normalWorld);
+  m_harness.upload("irradiance.prev", inputs.irradiancePrev);
+  m_harness.upload("historyLength.prev", inputs.historyLengthPrev);
+  m_harness.upload("guides.prev", inputs.guidesPrev);
+}
+
+AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
+  return {m_harness.download("irradiance"), m_harness.download("historyLength"), m_harness.download("guides"),
+          m_harness.download("pixelPrev"), m_harness.download("reprojectionMask")};
+}
+
+Comparison AccumulateNoisyCase::compare() {
+  Comparison comparison;
+  const AccumulateNoisyOutputs<float> device = outputs();
+  const AccumulateNoisyExact exact = accumulateNoisyOracle(inputs, device.pixelPrev);
+  for (const char undecided : exact.undecided.values)
+    if (undecided) comparison.exclude();
+  const auto* excluded = &exact.undecided;
+  comparePixels(comparison, "irradiance", device.irradiance, exact.outputs.irradiance, 1.0, excluded);
+  comparePixels(comparison, "historyLength", device.historyLength, exact.outputs.historyLength, 1.0,
+                excluded);
+  comparePixels(comparison, "guides", device.guides, exact.outputs.guides, 1.0, excluded);
+  comparePixels(comparison, "reprojectionMask", device.reprojectionMask, exact.outputs.reprojectionMask, 1.0,
+                excluded);
+  comparePixelPrev(comparison, device.pixelPrev, exact.outputs.pixelPrev, exact.undecided);
+  return comparison;
+}
+
+}  // namespace quell::tests

@@ -1,0 +1,40 @@
+// Case of the stage accumulate_noisy.
+#pragma once
+
+#include "tests/cases/material_inputs.hpp"
+#include "tests/oracle/accumulate_noisy_oracle.hpp"
+
+namespace quell::tests {
+
+/// Relative to the largest component of the pixel: demodulation, a weighted mean of five non-negative terms
+/// and positions up to ten scene units from the camera, about twenty float operations.
+constexpr double kAccumulateNoisyTolerance = 2e-6;
+/// Pixels: half a step of 1/256 and the float rounding of the reprojection.
+constexpr double kPixelPrevTolerance = 0.5 / 256 + 1e-3;
+
+struct AccumulateNoisyVariant {
+  MaterialVariant material = kFullMaterial;
+  bool viewDepth = false;  ///< instead of world positions
+};
+
+/// A moving camera before the test scene; the history is random.
+class AccumulateNoisyCase : public StageCase {
+ public:
+  /// The caller's material images are in options.layout. Normals and positions have the same strides, but at
+  /// least three channels, and positions are always floats: halves cannot tell surfaces apart at this camera.
+  explicit AccumulateNoisyCase(const CaseOptions& options, const AccumulateNoisyVariant& variant = {});
+
+  AccumulateNoisyInputs inputs;
+
+  void upload() override;
+  Comparison compare() override;
+  double tolerance() const override { return kAccumulateNoisyTolerance; }
+  AccumulateNoisyOutputs<float> outputs() const;
+  /// After inputs.reprojection was changed.
+  void useReprojection(const ReprojectionParams& reprojection);
+
+ private:
+  bool m_viewDepth;
+};
+
+}  // namespace quell::tests

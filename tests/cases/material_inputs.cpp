@@ -1,0 +1,54 @@
+#include "tests/cases/material_inputs.hpp"
+
+#include "tests/support/random_images.hpp"
+
+namespace quell::tests {
+namespace {
+
+constexpr double kBrightest = 8.0;       // radiance
+constexpr double kFadingFactor = 0.012;  // just above the factor from which on channels are filtered entirely
+
+io::Image randomFactor(Size size, unsigned seed, double largest) {
+  Random random(seed);
+  io::Image image(size.width, size.height, 3);
+  for (float& value : image.pixels) {
+    const double kind = random.uniform();
+    value = kind < 0.05 ? 0.0f : float(random.uniform(0.0, kind < 0.2 ? kFadingFactor : largest));
+  }
+  return image;
+}
+
+void uploadImage(StageHarness& harness, ImageView Frame::*view, io::Image& image) {
+  if (image.empty()) return;
+  harness.setInput(view, image);
+  image = asStored(image, harness.configuration().frame.*view);
+}
+
+}  // namespace
+
+void setMaterialViews(Frame& frame, const MaterialVariant& variant, const ImageLayout& layout, Size size) {
+  frame.radiance = makeView(layout, size);
+  if (variant.emission) frame.emission = makeView(layout, size);
+  if (variant.albedo) frame.albedo = makeView(layout, size);
+  if (variant.glossColor) frame.glossColor = makeView(layout, size);
+  frame.demodulated = variant.demodulated;
+}
+
+MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigned seed) {
+  MaterialImages images;
+  images.radiance = randomImage(size, 3, seed, 0.0, kBrightest);
+  if (variant.emission) images.emission = randomImage(size, 3, seed + 1, 0.0, 0.5);
+  if (variant.albedo) images.albedo = randomFactor(size, seed + 2, 1.0);
+  if (variant.glossColor) images.glossColor = randomFactor(size, seed + 3, 0.3);
+  images.demodulated = variant.demodulated;
+  return images;
+}
+
+void uploadMaterial(StageHarness& harness, MaterialImages& images) {
+  uploadImage(harness, &Frame::radiance, images.radiance);
+  uploadImage(harness, &Frame::emission, images.emission);
+  uploadImage(harness, &Frame::albedo, images.albedo);
+  uploadImage(harness, &Frame::glossColor, images.glossColor);
+}
+
+}  // namespace quell::tests

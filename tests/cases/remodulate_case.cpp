@@ -1,0 +1,42 @@
+#include "tests/cases/remodulate_case.hpp"
+
+#include "tests/support/random_images.hpp"
+#include "tests/support/test_scene.hpp"
+
+namespace quell::tests {
+namespace {
+
+StageSetup makeRemodulateSetup(const CaseOptions& options, const MaterialVariant& variant) {
+  StageSetup setup = makeSetup(options);
+  setMaterialViews(setup.frame, variant, options.layout, options.size);
+  setup.output.linear = makeView(options.layout, options.size);
+  setup.output.display = makeView(packed(3), options.size);  // so that planes are written for the tone map
+  return setup;
+}
+
+}  // namespace
+
+RemodulateCase::RemodulateCase(const CaseOptions& options, const MaterialVariant& variant)
+    : StageCase("remodulate", makeRemodulateSetup(options, variant)), m_layout(options.layout) {
+  inputs.material = randomMaterial(variant, options.size, options.seed);
+  inputs.filtered = randomPlanes(options.size, 3, options.seed + 10, 0.0, 8.0);
+  inputs.guides = renderScene({}, options.size).guides;
+}
+
+void RemodulateCase::upload() {
+  uploadMaterial(m_harness, inputs.material);
+  m_harness.upload("filtered", inputs.filtered);
+  m_harness.upload("guides", inputs.guides);
+}
+
+Comparison RemodulateCase::compare() {
+  Comparison comparison;
+  const RemodulateExact exact = remodulateOracle(inputs);
+  for (const char undecided : exact.undecided.values)
+    if (undecided) comparison.exclude();
+  comparePixels(comparison, "linear", linear(), exact.linear, 1.0, &exact.undecided);
+  compareOutput(comparison, m_harness, &Output::linear, exact.linear, 1.0, &exact.undecided);
+  return comparison;
+}
+
+}  // namespace quell::tests

@@ -1,0 +1,68 @@
+// A case: one description of a stage's inputs that drives its unit test and its bench entry, so that they
+// cannot disagree.
+#pragma once
+
+#include <cstdint>
+
+#include "tests/support/comparison.hpp"
+#include "tests/support/image_layout.hpp"
+#include "tests/support/stage_harness.hpp"
+
+namespace quell::tests {
+
+/// What all cases have in common.
+struct CaseOptions {
+  Size size{33, 31};
+  Mapping mapping = Mapping::Automatic;
+  std::array<int, 2> workGroup{0, 0};
+  int fitGroup = 0;
+  unsigned seed = 1;
+  ImageLayout layout = packed(3);  ///< of the caller's images, where the stage touches any
+};
+
+class StageCase {
+ public:
+  virtual ~StageCase() = default;
+
+  /// Sends the inputs to the device.
+  virtual void upload() = 0;
+  /// Runs the stage once; device time in milliseconds.
+  double run() { return m_harness.run(m_reprojection, m_frameIndex); }
+  /// Device against oracle, after run().
+  virtual Comparison compare() = 0;
+  /// Largest error that compare() may report.
+  virtual double tolerance() const = 0;
+
+  Comparison check();
+  Size size() const { return m_harness.size(); }
+  std::uint64_t bytesMoved() const { return m_harness.bytesMoved(); }
+  double bytesPerPixel() const;
+
+  StageHarness& harness() { return m_harness; }
+
+ protected:
+  StageCase(const std::string& stem, const StageSetup& setup) : m_harness(stem, setup) {}
+
+  StageHarness m_harness;
+  ReprojectionParams m_reprojection{};
+  std::uint32_t m_frameIndex = 1;
+};
+
+/// Largest share of pixels that a case may leave out because they are within rounding of a decision.
+constexpr double kExcludedShare = 0.01;
+
+/// Rounding to half, relative: 11 significant bits.
+constexpr double kHalfRounding = 1.0 / 2048;
+/// What storing a result in this layout adds to its error.
+double storageError(const ImageLayout& layout);
+
+/// Size, mapping and work-groups of the options, with no images.
+StageSetup makeSetup(const CaseOptions& options);
+
+/// Compares one of the caller's images with the planes that it should hold: a fourth component must be 1 and
+/// bytes that belong to no component untouched. `leastScale` as in comparePixels().
+void compareOutput(Comparison& comparison, const StageHarness& harness, ImageView Output::*image,
+                   const ExactPlanes& exact, double leastScale = 1.0,
+                   const BasicPlanes<char>* excluded = nullptr);
+
+}  // namespace quell::tests

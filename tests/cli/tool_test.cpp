@@ -1,0 +1,105 @@
+// The quell tool as a user runs it: files, reports and messages.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host/cli/run_tool.hpp"
+#include "host/io/atomic_file.hpp"
+#include "host/io/exr_image.hpp"
+#include "host/io/png_image.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace quell::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+int quell(std::vector<std::string> arguments) {
+  std::vector<const char*> argv = {"quell"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  return cli::runTool(static_cast<int>(argv.size()), argv.data());
+}
+
+const std::string kData = std::string(QUELL_DATA_DIR) + "/colonnade";
+
+}  // namespace
+
+TEST_CASE("denoise writes frames, pictures and a report", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string out = directory.path() + "/out";
+  const std::string json = directory.path() + "/report.json";
+  REQUIRE(quell({"denoise", "--method", "bmfr", "--input", kData, "--output", out, "--frames", "13-15",
+                 "--png", "--exr", "--json", json}) == 0);
+  for (const char* frame : {"0013", "0014", "0015"}) {
+    const io::Image linear = io::readExr(out + "/denoised_" + frame + ".exr");
+    CHECK(linear.width == 240);
+    CHECK(linear.height == 135);
+    CHECK(io::readPng(out + "/display_" + frame + ".png").width == 240);
+    CHECK(io::readExr(out + "/display_" + frame + ".exr").width == 240);
+  }
+  CHECK(io::readPng(out + "/comparison_0015.png").width == 3 * 240);
+
+  const auto report = nlohmann::json::parse(io::readFile(json));
+  CHECK(report.at("method") == "bmfr");
+  CHECK(report.at("width") == 240);
+  CHECK(report.at("height") == 135);
+  CHECK(report.at("frames") == 3);
+  CHECK(report.at("memory_bytes").get<double>() > 0.0);
+  CHECK(report.at("output_hash").get<std::string>().size() == 16);
+  CHECK(report.at("settings").at("noisyLeastWeight") == 0.2);
+  CHECK(report.at("frame_ms").at("median").get<double>() > 0.0);
+  REQUIRE(report.at("stages").size() == 7);
+  for (const auto& stage : report.at("stages")) {
+    CHECK(stage.at("median_ms").get<double>() >= stage.at("min_ms").get<double>());
+    CHECK(stage.at("max_ms").get<double>() >= stage.at("median_ms").get<double>());
+    CHECK(stage.at("bytes").get<double>() > 0.0);
+  }
+  CHECK(report.at("errors").at(0).at("frame") == 15);
+}
+
+TEST_CASE("compare reads what denoise wrote", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string out = directory.path() + "/out";
+  REQUIRE(quell({"denoise", "--input", kData, "--output", out, "--frames", "14-15"}) == 0);
+  const std::string json = directory.path() + "/compare.json";
+  REQUIRE(quell({"compare", "--reference", kData + "/ref_a_color_0015.exr," + kData + "/ref_b_color_0015.exr",
+                 out + "/denoised_0015.exr", out + "/display_0015.png", "--json", json, "--heatmap",
+                 directory.path() + "/heat"}) == 0);
+  const auto report = nlohmann::json::parse(io::readFile(json));
+  CHECK(report.dump().find("unbiased_rmse") != std::string::npos);
+  CHECK_FALSE(fs::is_empty(directory.path() + "/heat"));
+}
+
+TEST_CASE("a tool's mistakes are answered, not crashed on", "[cli]") {
+  const TemporaryDirectory directory;
+  CHECK(quell({}) != 0);
+  CHECK(quell({"denoise", "--method", "magic"}) != 0);
+  CHECK(quell({"denoise", "--input", directory.path() + "/none"}) == 1);
+  CHECK(quell({"denoise", "--input", kData, "--frames", "3-15"}) == 1);
+  CHECK(quell({"denoise", "--input", kData, "--frames", "15-14"}) == 1);
+  CHECK(quell({"denoise", "--input", kData, "--frames", "a-b"}) == 1);
+  CHECK(quell({"denoise", "--size", "0x10"}) == 1);
+  CHECK(quell({"denoise", "--size", "banana"}) == 1);
+  CHECK(quell({"denoise", "--size", "8x8", "--set", "nothing=1"}) == 1);
+  CHECK(quell({"denoise", "--size", "8x8", "--set", "taaNewestWeight=7"}) == 1);
+  CHECK(quell({"denoise", "--size", "8x8", "--set", "taaNewestWeight"}) == 1);
+  CHECK(quell({"denoise", "--size", "8x8", "--device", "no such device"}) == 1);
+}
+
+TEST_CASE("an output directory that cannot be made is an error and leaves nothing", "[cli]") {
+  const TemporaryDirectory directory;
+  io::writeTextFile(directory.path() + "/file", "in the way");
+  CHECK(quell({"denoise", "--input", kData, "--frames", "15-15", "--output",
+               directory.path() + "/file/out"}) == 1);
+  CHECK(io::readFile(directory.path() + "/file") == "in the way");
+}
+
+TEST_CASE("help names every command and setting", "[cli]") {
+  CHECK(quell({"--help"}) == 0);
+  CHECK(quell({"denoise", "--help"}) == 0);
+  CHECK(quell({"devices"}) == 0);
+}
+
+}  // namespace quell::tests

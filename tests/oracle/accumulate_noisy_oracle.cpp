@@ -1,0 +1,184 @@
+#include "tests/oracle/accumulate_noisy_oracle.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "tests/oracle/bilinear_oracle.hpp"
+
+namespace quell::tests {
+namespace {
+
+// Relative error of a handful of float operations.
+constexpr double kRounding = 1e-6;
+// Error of a reprojected position in float, pixels: 480 pixels times the rounding of a 4-term dot product.
+constexpr double kPixelRounding = 1e-3;
+// Error of a history length up to 255 that was interpolated in float.
+constexpr double kLengthRounding = 2e-4;
+
+struct Surface {
+  Vector3d position = Vector3d::Zero();
+  Vector3d normal = Vector3d::Zero();
+  bool valid = false;
+};
+
+struct Place {
+  Vector3d pixel = Vector3d::Zero();  // x, y; 0 if not inside
+  bool inside = false;
+};
+
+Vector3d linearPart(const QuellFloat4& row) {
+  return {row.x, row.y, row.z};
+}
+
+bool near(double value, double threshold, double rounding) {
+  return std::abs(value - threshold) <= rounding;
+}
+
+Vector3d viewRay(const ReprojectionParams& params, int x, int y) {
+  return linearPart(params.rayOrigin) + x * linearPart(params.rayX) + y * linearPart(params.rayY);
+}
+
+Vector3d planeVector(const Planes& planes, int first, int x, int y) {
+  return {planes.at(first, x, y), planes.at(first + 1, x, y), planes.at(first + 2, x, y)};
+}
+
+// The oracle for one frame; `undecided` collects doubts about the pixel at hand.
+class PixelOracle {
+ public:
+  PixelOracle(const AccumulateNoisyInputs& inputs, int x, int y)
+      : m_inputs(inputs), m_params(inputs.reprojection), m_x(x), m_y(y) {}
+
+  bool undecided = false;
+
+  Surface surface() {
+    Surface s;
+    const Vector3d position = rgbAt(m_inputs.position, m_x, m_y);
+    s.normal = rgbAt(m_inputs.normal, m_x, m_y);
+    s.position = m_inputs.positionIsDepth
+                     ? Vector3d(position.x() * viewRay(m_params, m_x, m_y))
+                     : Vector3d(position - linearPart(m_params.cameraHigh) - linearPart(m_params.cameraLow));
+    const double length = s.normal.squaredNorm();
+    doubt(length, QUELL_MIN_NORMAL_SQUARED, kRounding);
+    doubt(length, QUELL_MAX_NORMAL_SQUARED, kRounding);
+    s.valid = s.position.allFinite() && s.position.cwiseAbs().maxCoeff() < QUELL_MAX_POSITION &&
+              length >= QUELL_MIN_NORMAL_SQUARED && length <= QUELL_MAX_NORMAL_SQUARED;
+    return s.valid ? s : Surface();
+  }
+
+  // Background is a point at infinity.
+  Place reproject(const Surface& s) {
+    const Vector3d target = s.valid ? s.position : viewRay(m_params, m_x, m_y);
+    const double constant = s.valid ? 1.0 : 0.0;
+    const auto apply = [&](const QuellFloat4& row) { return linearPart(row).dot(target) + constant * row.w; };
+    const double w = apply(m_params.clipWPrev);
+    const double x = apply(m_params.pixelXPrev) / w;
+    const double y = apply(m_params.pixelYPrev) / w;
+    const double width = m_inputs.irradiancePrev.width, height = m_inputs.irradiancePrev.height;
+    if (m_params.historyValid == 0) return {};
+    doubt(w, 0.0, kRounding * target.norm());
+    doubt(x, -1.0, kPixelRounding);
+    doubt(y, -1.0, kPixelRounding);
+    doubt(x, width, kPixelRounding);
+    doubt(y, height, kPixelRounding);
+    if (!(w > 0.0 && x > -1.0 && x < width && y > -1.0 && y < height)) return {};
+    return {{x, y, 0.0}, true};
+  }
+
+  bool sameSurface(const Surface& s, const Tap& tap) {
+    const Vector3d positionPrev = planeVector(m_inputs.guidesPrev, QUELL_GUIDE_POSITION, tap.x, tap.y);
+    const Vector3d normalPrev = planeVector(m_inputs.guidesPrev, QUELL_GUIDE_NORMAL, tap.x, tap.y);
+    const Vector3d motion = linearPart(m_params.cameraMotion);
+    const double depth = linearPart(m_params.clipW).dot(s.position) + m_params.clipW.w;
+    const double limit = m_params.positionLimit + m_params.positionLimitFootprint * std::max(depth, 0.0);
+    const double distance = (positionPrev + motion - s.position).norm();
+    const double normalDistance = (normalPrev - s.normal).squaredNorm();
+    doubt(distance, limit, kRounding * (positionPrev.norm() + s.position.norm() + motion.norm() + limit));
+    doubt(normalDistance, m_params.normalLimitSquared, kRounding);
+    return distance <= limit && normalDistance <= m_params.normalLimitSquared;
+  }
+
+  void doubt(double value, double threshold, double rounding) {
+    undecided = undecided || near(value, threshold, rounding);
+  }
+
+ private:
+  const AccumulateNoisyInputs& m_inputs;
+  const ReprojectionParams& m_params;
+  int m_x, m_y;
+};
+
+struct History {
+  Vector3d irradiance = Vector3d::Zero();
+  double length = 0.0;  // rounded to the closest integer
+  double weight = 0.0;
+  int mask = 0;
+};
+
+History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, const Surface& surface,
+                      double x, double y) {
+  History history;
+  history.mask = QUELL_PREV_IN_FRAME;
+  if (!surface.valid) return history;
+  for (const Tap& tap : bilinearTaps(inputs.irradiancePrev.size(), x, y)) {
+    if (!tap.inFrame) continue;
+    const double weight = tap.weight * inputs.guidesPrev.at(QUELL_GUIDE_WEIGHT, tap.x, tap.y);
+    if (!(weight > 0.0) || !oracle.sameSurface(surface, tap)) continue;
+    history.irradiance += weight * planeVector(inputs.irradiancePrev, 0, tap.x, tap.y);
+    history.length += weight * inputs.historyLengthPrev.at(0, tap.x, tap.y);
+    history.weight += weight;
+    history.mask |= QUELL_TAP_ACCEPTED(tap.index);
+  }
+  if (history.weight == 0.0) return history;
+  history.irradiance /= history.weight;
+  history.length /= history.weight;
+  oracle.doubt(history.length + 0.5, std::round(history.length + 0.5), kLengthRounding);
+  history.length = std::floor(history.length + 0.5);
+  return history;
+}
+
+void storePixel(AccumulateNoisyOutputs<double>& outputs, int x, int y, const Irradiance& sample, bool present,
+                const Surface& surface, const History& history, double leastWeight) {
+  const bool hasHistory = history.weight > 0.0;
+  const double cumulative = 1.0 / (history.length + 1.0);
+  const double blend = !present ? 0.0 : hasHistory ? std::max(cumulative, leastWeight) : 1.0;
+  const Vector3d blended = blend * sample.value + (1.0 - blend) * history.irradiance;
+  for (int axis = 0; axis < 3; ++axis) {
+    outputs.irradiance.at(axis, x, y) = blended[axis];
+    outputs.guides.at(QUELL_GUIDE_POSITION + axis, x, y) = surface.position[axis];
+    outputs.guides.at(QUELL_GUIDE_NORMAL + axis, x, y) = surface.normal[axis];
+  }
+  outputs.guides.at(QUELL_GUIDE_WEIGHT, x, y) = present ? sample.weight : hasHistory ? 1.0 : 0.0;
+  outputs.historyLength.at(0, x, y) =
+      std::min<double>(history.length + (present ? 1 : 0), QUELL_MAX_HISTORY_LENGTH);
+  outputs.reprojectionMask.at(0, x, y) = history.mask;
+}
+
+}  // namespace
+
+AccumulateNoisyExact accumulateNoisyOracle(const AccumulateNoisyInputs& inputs, const Planes& pixelPrev) {
+  const Size size = inputs.irradiancePrev.size();
+  AccumulateNoisyExact exact{
+      {ExactPlanes(size, 3), ExactPlanes(size, 1), ExactPlanes(size, QUELL_GUIDE_PLANES),
+       ExactPlanes(size, 2), ExactPlanes(size, 1)},
+      BasicPlanes<char>(size, 1)};
+  forEachPixel(size, [&](int x, int y) {
+    PixelOracle oracle(inputs, x, y);
+    const Material material = materialAt(inputs.material, x, y);
+    const Irradiance sample =
+        inputs.material.demodulated ? Irradiance{material.signal, 1.0} : demodulate(material);
+    const Surface surface = oracle.surface();
+    const Place place = oracle.reproject(surface);
+    const History history =
+        place.inside ? gatherHistory(inputs, oracle, surface, pixelPrev.at(0, x, y), pixelPrev.at(1, x, y))
+                     : History();
+    const bool present = material.finite && sample.weight > 0.0 && surface.valid;
+    storePixel(exact.outputs, x, y, sample, present, surface, history, inputs.leastWeight);
+    exact.outputs.pixelPrev.at(0, x, y) = place.pixel.x();
+    exact.outputs.pixelPrev.at(1, x, y) = place.pixel.y();
+    exact.undecided.at(0, x, y) = oracle.undecided || factorUndecided(material);
+  });
+  return exact;
+}
+
+}  // namespace quell::tests

@@ -1,0 +1,44 @@
+// Double-precision oracle of common/demodulation.h: irradiance = (radiance - emission) / material factor, and
+// the share of every channel that is filtered.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "host/io/image.hpp"
+
+namespace quell::tests {
+
+using Eigen::Vector3d;
+
+/// The caller's images of one frame; an empty one is absent.
+struct MaterialImages {
+  io::Image radiance, emission, albedo, glossColor;
+  bool demodulated = false;  ///< radiance is irradiance already
+};
+
+/// One pixel of them, cleaned.
+struct Material {
+  bool finite = true;                    ///< neither radiance nor emission is NaN or Inf
+  Vector3d signal = Vector3d::Zero();    ///< radiance without emission, [0, 65504]; irradiance if demodulated
+  Vector3d emission = Vector3d::Zero();  ///< 0 where it is not finite
+  Vector3d factor = Vector3d::Ones();    ///< albedo plus gloss colour, >= 0
+};
+Material materialAt(const MaterialImages& images, int x, int y);
+
+/// Three components of a pixel: one channel is spread, a missing third is 0.
+Vector3d rgbAt(const io::Image& image, int x, int y);
+
+/// smoothstep(0, 0.01, factor), 0 below the least factor.
+Vector3d filteredShare(const Vector3d& factor);
+
+/// Irradiance of a pixel and its weight as a filter tap.
+struct Irradiance {
+  Vector3d value;
+  double weight;
+};
+Irradiance demodulate(const Material& material);
+
+/// True where a factor lies so near the least factor that float and double may disagree about its side.
+bool factorUndecided(const Material& material);
+
+}  // namespace quell::tests

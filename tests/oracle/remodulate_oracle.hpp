@@ -1,0 +1,22 @@
+// Double-precision oracle of the stage remodulate, see kernels/remodulate.cl.
+#pragma once
+
+#include "tests/oracle/demodulation_oracle.hpp"
+#include "tests/support/planes.hpp"
+
+namespace quell::tests {
+
+struct RemodulateInputs {
+  MaterialImages material;
+  Planes filtered;  ///< 3 planes
+  Planes guides;    ///< 7 planes
+};
+
+struct RemodulateExact {
+  ExactPlanes linear;           ///< 3 planes
+  BasicPlanes<char> undecided;  ///< pixels on which float and double may decide differently
+};
+
+RemodulateExact remodulateOracle(const RemodulateInputs& inputs);
+
+}  // namespace quell::tests

@@ -1,0 +1,86 @@
+#include "tests/oracle/temporal_antialiasing_oracle.hpp"
+
+#include <Eigen/Core>
+#include <cstdlib>
+
+#include "kernels/accumulate_noisy_params.h"
+#include "tests/oracle/bilinear_oracle.hpp"
+
+namespace quell::tests {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d colorAt(const Planes& planes, int x, int y) {
+  return {planes.at(0, x, y), planes.at(1, x, y), planes.at(2, x, y)};
+}
+
+Vector3d toYCoCg(const Vector3d& rgb) {
+  return {0.25 * rgb.x() + 0.5 * rgb.y() + 0.25 * rgb.z(), 0.5 * (rgb.x() - rgb.z()),
+          -0.25 * rgb.x() + 0.5 * rgb.y() - 0.25 * rgb.z()};
+}
+
+Vector3d toRgb(const Vector3d& v) {
+  return {v.x() + v.y() - v.z(), v.x() + v.z(), v.x() - v.y() - v.z()};
+}
+
+struct Bounds {
+  Vector3d low, high;
+  void include(const Vector3d& v) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+};
+
+// Mean of the bounds of the 3x3 box and of its cross, in YCoCg.
+Bounds neighbourhood(const Planes& encoded, int x, int y) {
+  const Vector3d centre = toYCoCg(colorAt(encoded, x, y));
+  Bounds box{centre, centre}, cross{centre, centre};
+  for (int row = y - 1; row <= y + 1; ++row) {
+    for (int column = x - 1; column <= x + 1; ++column) {
+      if (row < 0 || row >= encoded.height || column < 0 || column >= encoded.width) continue;
+      const Vector3d neighbour = toYCoCg(colorAt(encoded, column, row));
+      box.include(neighbour);
+      if (row == y || column == x) cross.include(neighbour);
+    }
+  }
+  return {0.5 * (box.low + cross.low), 0.5 * (box.high + cross.high)};
+}
+
+struct Sampled {
+  Vector3d color = Vector3d::Zero();
+  double weight = 0.0;
+};
+
+Sampled sample(const Planes& planes, double x, double y) {
+  Sampled sampled;
+  for (const Tap& tap : bilinearTaps(planes.size(), x, y)) {
+    if (!tap.inFrame) continue;
+    sampled.color += tap.weight * colorAt(planes, tap.x, tap.y);
+    sampled.weight += tap.weight;
+  }
+  if (sampled.weight > 0.0) sampled.color /= sampled.weight;
+  return sampled;
+}
+
+}  // namespace
+
+ExactPlanes temporalAntialiasingOracle(const TemporalAntialiasingInputs& inputs) {
+  ExactPlanes antialiased(inputs.encoded.size(), 3);
+  forEachPixel(inputs.encoded.size(), [&](int x, int y) {
+    Vector3d color = colorAt(inputs.encoded, x, y);
+    const Sampled history =
+        sample(inputs.antialiasedPrev, inputs.pixelPrev.at(0, x, y), inputs.pixelPrev.at(1, x, y));
+    const bool inFrame = (int(inputs.reprojectionMask.at(0, x, y)) & QUELL_PREV_IN_FRAME) != 0;
+    if (inFrame && history.weight > 0.0) {
+      const Bounds bounds = neighbourhood(inputs.encoded, x, y);
+      const Vector3d clamped = toYCoCg(history.color).cwiseMax(bounds.low).cwiseMin(bounds.high);
+      color = inputs.newestWeight * color + (1.0 - inputs.newestWeight) * toRgb(clamped);
+    }
+    color = color.cwiseMax(0.0).cwiseMin(1.0);
+    for (int c = 0; c < 3; ++c) antialiased.at(c, x, y) = color[c];
+  });
+  return antialiased;
+}
+
+}  // namespace quell::tests

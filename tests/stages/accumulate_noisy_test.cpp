@@ -1,0 +1,210 @@
+#include <algorithm>
+
+#include "tests/cases/accumulate_noisy_case.hpp"
+#include "tests/support/random_images.hpp"
+#include "tests/support/stage_checks.hpp"
+#include "tests/support/test_scene.hpp"
+
+using namespace quell;
+using namespace quell::tests;
+
+namespace {
+
+CaseMaker maker(const AccumulateNoisyVariant& variant = {}) {
+  return [variant](const CaseOptions& options) {
+    return std::make_unique<AccumulateNoisyCase>(options, variant);
+  };
+}
+
+// The camera stands still; the frame before showed the same surfaces.
+void standStill(AccumulateNoisyCase& noisy, float historyLength) {
+  noisy.useReprojection(makeReprojection({}, {}, noisy.size()));
+  noisy.inputs.guidesPrev = renderScene({}, noisy.size()).guides;
+  for (float& length : noisy.inputs.historyLengthPrev.values) length = historyLength;
+}
+
+void fill(Planes& planes, float value) {
+  std::fill(planes.values.begin(), planes.values.end(), value);
+}
+
+bool isSurface(const Planes& guides, int x, int y) {
+  return guides.at(QUELL_GUIDE_WEIGHT, x, y) > 0.0f;
+}
+
+std::vector<const Planes*> allOutputs(const AccumulateNoisyOutputs<float>& o) {
+  return {&o.irradiance, &o.historyLength, &o.guides, &o.pixelPrev, &o.reprojectionMask};
+}
+
+const AccumulateNoisyVariant kPlain{kPlainMaterial, false};
+
+}  // namespace
+
+TEST_CASE("accumulate_noisy agrees with its oracle") {
+  checkSizes(maker());
+}
+
+TEST_CASE("accumulate_noisy agrees with its oracle whichever images there are") {
+  const AccumulateNoisyVariant variants[] = {{kPlainMaterial, true},
+                                             {kDemodulatedMaterial, false},
+                                             {{false, true, false, false}, false},
+                                             {{false, false, true, false}, true}};
+  for (const AccumulateNoisyVariant& variant : variants) checkLayouts(maker(variant), {packed(3)});
+}
+
+TEST_CASE("accumulate_noisy reads every layout") {
+  checkLayouts(maker(), inputLayouts());
+}
+
+TEST_CASE("accumulate_noisy does not depend on the work-group") {
+  checkWorkGroups(maker(), {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});
+}
+
+TEST_CASE("accumulate_noisy without a frame before is the plain sample") {
+  CaseOptions options;
+  options.size = {61, 40};
+  AccumulateNoisyCase noisy(options, kPlain);
+  noisy.useReprojection(makeReprojection({}, {}, options.size, false));
+  noisy.upload();
+  noisy.run();
+  const auto outputs = noisy.outputs();
+  forEachPixel(options.size, [&](int x, int y) {
+    const bool surface = isSurface(outputs.guides, x, y);
+    CHECK(outputs.reprojectionMask.at(0, x, y) == 0.0f);
+    CHECK(outputs.historyLength.at(0, x, y) == (surface ? 1.0f : 0.0f));
+    for (int c = 0; c < 3; ++c)
+      CHECK(outputs.irradiance.at(c, x, y) == (surface ? noisy.inputs.material.radiance.at(x, y, c) : 0.0f));
+  });
+}
+
+TEST_CASE("accumulate_noisy of a still camera lands on pixel centres") {
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    CaseOptions options;
+    options.size = {480, 270};
+    options.mapping = mapping;
+    AccumulateNoisyCase noisy(options);
+    standStill(noisy, 1.0f);
+    noisy.upload();
+    noisy.run();
+    const Planes pixelPrev = noisy.outputs().pixelPrev;
+    std::size_t elsewhere = 0;
+    forEachPixel(options.size, [&](int x, int y) {
+      elsewhere += pixelPrev.at(0, x, y) != float(x) || pixelPrev.at(1, x, y) != float(y);
+    });
+    CHECK(elsewhere == 0);
+  }
+}
+
+TEST_CASE("accumulate_noisy averages static frames until the weight hits the floor") {
+  CaseOptions options;
+  options.size = {33, 31};
+  AccumulateNoisyCase noisy(options, kPlain);
+  const int framesToFloor = int(1.0 / noisy.inputs.leastWeight);
+  const int x = 10, y = 25;  // on a surface
+  double expected = 0.0, mean = 0.0;
+  for (int frame = 1; frame <= framesToFloor + 4; ++frame) {
+    standStill(noisy, float(frame - 1));
+    if (frame == 1) noisy.useReprojection(makeReprojection({}, {}, options.size, false));
+    const double sample = 1.0 + (frame * 7 % 5);
+    std::fill(noisy.inputs.material.radiance.pixels.begin(), noisy.inputs.material.radiance.pixels.end(),
+              float(sample));
+    noisy.upload();
+    noisy.run();
+    const auto outputs = noisy.outputs();
+    noisy.inputs.irradiancePrev = outputs.irradiance;
+    mean += (sample - mean) / frame;
+    expected = frame <= framesToFloor ? mean : expected + noisy.inputs.leastWeight * (sample - expected);
+    INFO("frame " << frame);
+    REQUIRE(isSurface(outputs.guides, x, y));
+    CHECK(outputs.historyLength.at(0, x, y) == float(frame));
+    CHECK(outputs.irradiance.at(0, x, y) == Approx(expected).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("accumulate_noisy keeps a constant") {
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    CaseOptions options;
+    options.size = {61, 40};
+    options.mapping = mapping;
+    AccumulateNoisyCase noisy(options, kPlain);
+    std::fill(noisy.inputs.material.radiance.pixels.begin(), noisy.inputs.material.radiance.pixels.end(),
+              3.25f);
+    fill(noisy.inputs.irradiancePrev, 3.25f);
+    noisy.upload();
+    noisy.run();
+    const auto outputs = noisy.outputs();
+    forEachPixel(options.size, [&](int x, int y) {
+      const double expected = isSurface(outputs.guides, x, y) ? 3.25 : 0.0;
+      CHECK(outputs.irradiance.at(0, x, y) == Approx(expected).epsilon(kAccumulateNoisyTolerance));
+    });
+  }
+}
+
+TEST_CASE("accumulate_noisy rejects history that moved beyond the limits") {
+  CaseOptions options;
+  options.size = {61, 40};
+  const auto acceptedTaps = [&](float shift, bool turnNormals) {
+    AccumulateNoisyCase noisy(options, kPlain);
+    standStill(noisy, 3.0f);
+    forEachPixel(options.size, [&](int x, int y) {
+      noisy.inputs.guidesPrev.at(QUELL_GUIDE_POSITION + 2, x, y) += shift;
+      if (turnNormals) {
+        for (int axis = 0; axis < 3; ++axis)
+          noisy.inputs.guidesPrev.at(QUELL_GUIDE_NORMAL + axis, x, y) *= -1.0f;
+      }
+    });
+    noisy.upload();
+    noisy.run();
+    std::size_t accepted = 0;
+    for (const float mask : noisy.outputs().reprojectionMask.values) accepted += (int(mask) & 15) != 0;
+    return accepted;
+  };
+  const ReprojectionParams params = makeReprojection({}, {}, options.size);
+  const float fenceLimit = params.positionLimitFootprint * 4.0f;  // the nearest surface, the least limit
+  const float wallLimit = params.positionLimitFootprint * 7.0f;   // beyond the farthest
+  const std::size_t all = acceptedTaps(0.0f, false);
+  CHECK(all > 1000);
+  CHECK(acceptedTaps(0.9f * fenceLimit, false) == all);
+  CHECK(acceptedTaps(1.1f * wallLimit, false) == 0);
+  CHECK(acceptedTaps(0.0f, true) == 0);
+}
+
+TEST_CASE("accumulate_noisy keeps the history of a pixel without a sample") {
+  CaseOptions options;
+  options.size = {61, 40};
+  AccumulateNoisyCase noisy(options, kPlain);
+  standStill(noisy, 3.0f);
+  for (float& value : noisy.inputs.material.radiance.pixels) value = std::numeric_limits<float>::quiet_NaN();
+  noisy.upload();
+  noisy.run();
+  const auto outputs = noisy.outputs();
+  forEachPixel(options.size, [&](int x, int y) {
+    const bool surface = isSurface(outputs.guides, x, y);
+    CHECK(outputs.historyLength.at(0, x, y) == (surface ? 3.0f : 0.0f));
+    CHECK(outputs.irradiance.at(2, x, y) == (surface ? noisy.inputs.irradiancePrev.at(2, x, y) : 0.0f));
+  });
+}
+
+TEST_CASE("accumulate_noisy gives finite values for any input, and bad pixels do not leak") {
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    CaseOptions options;
+    options.size = {61, 40};
+    options.mapping = mapping;
+    AccumulateNoisyCase noisy(options);
+    noisy.upload();
+    noisy.run();
+    const auto clean = noisy.outputs();
+    BasicPlanes<char> spoiled(options.size, 1);
+    auto& inputs = noisy.inputs;
+    auto& material = inputs.material;
+    unsigned seed = 7;
+    for (io::Image* image : {&material.radiance, &material.emission, &material.albedo, &material.glossColor,
+                             &inputs.normal, &inputs.position})
+      spoil(*image, seed++, 16, &spoiled);
+    checkAgreement(noisy, options);
+    const auto dirty = noisy.outputs();
+    for (std::size_t i = 0; i < allOutputs(clean).size(); ++i) {
+      CHECK(allFinite(*allOutputs(dirty)[i]));
+      CHECK(sameBits(*allOutputs(clean)[i], *allOutputs(dirty)[i], &spoiled));
+    }
+  }
+}

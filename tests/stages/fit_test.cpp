@@ -1,0 +1,157 @@
+#include <algorithm>
+
+#include "kernels/accumulate_noisy_params.h"
+#include "tests/cases/fit_case.hpp"
+#include "tests/support/random_images.hpp"
+#include "tests/support/stage_checks.hpp"
+
+using namespace quell;
+using namespace quell::tests;
+
+namespace {
+
+CaseOptions makeOptions(Size size, Mapping mapping, int fitGroup) {
+  CaseOptions options;
+  options.size = size;
+  options.mapping = mapping;
+  options.fitGroup = fitGroup;
+  return options;
+}
+
+// One work-item and sixteen lanes a block, as on CPUs, and shared blocks, as on GPUs.
+const std::vector<std::pair<Mapping, int>>& fitVariants() {
+  static const std::vector<std::pair<Mapping, int>> variants = {
+      {Mapping::Wide, 1}, {Mapping::Narrow, 32}, {Mapping::Narrow, 64}, {Mapping::Narrow, 256}};
+  return variants;
+}
+
+// Largest error of the noise-free predictions, irradiance being the same everywhere.
+double constantError(FitCase& fit, float value) {
+  std::fill(fit.inputs.irradiance.values.begin(), fit.inputs.irradiance.values.end(), value);
+  fit.upload();
+  fit.run();
+  const Planes records = fit.records();
+  double largest = 0.0;
+  for (int block = 0; block < blockCount(fit.size()); ++block) {
+    const FitRecord record = unpackRecord(records, block);
+    for (int row = 0; row < QUELL_BLOCK_PIXELS; ++row) {
+      const BlockPixel p = blockPixel(fit.inputs.params, block, row);
+      if (fit.inputs.guides.at(QUELL_GUIDE_WEIGHT, p.x, p.y) == 0.0f) continue;
+      const Eigen::RowVector3d predicted =
+          features(fit.inputs.guides, record, p.x, p.y) * record.coefficients;
+      largest = std::max(largest, (predicted.array() - double(value)).abs().maxCoeff() / double(value));
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("fit agrees with its oracle on sixteen lanes") {
+  for (const Size size : testSizes()) {
+    const CaseOptions options = makeOptions(size, Mapping::Wide, 1);
+    FitCase fit(options);
+    checkAgreement(fit, options);
+  }
+}
+
+TEST_CASE("fit agrees with its oracle in shared blocks") {
+  for (const int group : {32, 64, 256}) {
+    for (const Size size : {Size{1, 1}, Size{7, 93}, Size{257, 89}}) {
+      const CaseOptions options = makeOptions(size, Mapping::Narrow, group);
+      FitCase fit(options);
+      checkAgreement(fit, options);
+    }
+  }
+}
+
+TEST_CASE("fit with half storage agrees with its oracle") {
+  for (const auto& [mapping, group] : {std::pair(Mapping::Wide, 1), std::pair(Mapping::Narrow, 256)}) {
+    const CaseOptions options = makeOptions({77, 43}, mapping, group);
+    FitCase fit(options, FeatureStorage::Half);
+    checkAgreement(fit, options);
+  }
+}
+
+TEST_CASE("fit finds the oracle's coefficients where the problem is well-conditioned") {
+  for (const auto& [mapping, group] : fitVariants()) {
+    FitCase fit(makeOptions({77, 43}, mapping, group));
+    fit.useRandomFeatures(5);
+    fit.upload();
+    fit.run();
+    const Comparison comparison = fit.compareCoefficients();
+    INFO(comparison.worst());
+    CHECK(comparison.compared() > 0);
+    CHECK(comparison.largestError() <= kFitCoefficientTolerance);
+  }
+}
+
+TEST_CASE("fit agrees with its oracle at all offsets of the grid") {
+  const CaseOptions options = makeOptions({65, 34}, Mapping::Wide, 1);
+  FitCase fit(options);
+  for (std::uint32_t frame = 0; frame < 16; ++frame) {
+    fit.useFrame(frame);
+    INFO("frame " << frame);
+    checkAgreement(fit, options);
+  }
+}
+
+TEST_CASE("fit without noise leaves dependent features out") {
+  for (const auto& [mapping, group] : fitVariants()) {
+    const CaseOptions options = makeOptions({77, 43}, mapping, group);
+    FitCase fit(options, FeatureStorage::Float, 0.0);
+    // A floor: the normal is constant, the height too.
+    forEachPixel(options.size, [&](int x, int y) {
+      const float guides[QUELL_GUIDE_PLANES] = {float(x) * 0.1f, -2.0f, -5.0f - float(y) * 0.1f, 0, 1, 0, 1};
+      for (int plane = 0; plane < QUELL_GUIDE_PLANES; ++plane)
+        fit.inputs.guides.at(plane, x, y) = guides[plane];
+    });
+    checkAgreement(fit, options);
+    CHECK(allFinite(fit.records()));
+  }
+}
+
+TEST_CASE("fit with few or no usable pixels in a block stays finite and agrees with its oracle") {
+  for (const auto& [mapping, group] : fitVariants()) {
+    const CaseOptions options = makeOptions({77, 43}, mapping, group);
+    FitCase fit(options);
+    Random random(3);
+    forEachPixel(options.size, [&](int x, int y) {
+      if (x < 40 || random.uniform() > 0.004) fit.inputs.guides.at(QUELL_GUIDE_WEIGHT, x, y) = 0.0f;
+    });
+    checkAgreement(fit, options);
+    CHECK(allFinite(fit.records()));
+  }
+}
+
+TEST_CASE("fit returns a constant") {
+  for (const auto& [mapping, group] : fitVariants()) {
+    FitCase fit(makeOptions({77, 43}, mapping, group));
+    CHECK(constantError(fit, 3.25f) <= kFitTolerance);
+    CHECK(constantError(fit, QUELL_MAX_RADIANCE) <= kFitTolerance);
+  }
+}
+
+TEST_CASE("fit gives the same bits whatever the work-group") {
+  Planes first;
+  for (const auto& [mapping, group] : fitVariants()) {
+    if (mapping != Mapping::Narrow) continue;
+    FitCase fit(makeOptions({77, 43}, mapping, group));
+    fit.upload();
+    fit.run();
+    if (first.values.empty()) first = fit.records();
+    INFO("fit group " << group);
+    CHECK(sameBits(first, fit.records()));
+  }
+}
+
+TEST_CASE("fit on sixteen lanes gives the bits of shared blocks") {
+  Planes records[2];
+  for (const int narrow : {0, 1}) {
+    FitCase fit(makeOptions({77, 43}, narrow ? Mapping::Narrow : Mapping::Wide, narrow ? 64 : 1));
+    fit.upload();
+    fit.run();
+    records[narrow] = fit.records();
+  }
+  CHECK(sameBits(records[0], records[1]));
+}

@@ -1,0 +1,48 @@
+// The error measure of all stage tests, and where the largest error was.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "tests/support/planes.hpp"
+
+namespace quell::tests {
+
+/// Collects |device - exact| / max(scale, |exact|). A device value that is not finite counts as an infinite
+/// error. `scale` is the size of the terms that the value was summed from: rounding errors are relative to
+/// that.
+class Comparison {
+ public:
+  void include(const std::string& what, int plane, int x, int y, double device, double exact,
+               double scale = 1.0);
+  /// Takes over the figures of another comparison.
+  void include(const Comparison& other);
+  /// A pixel on which float and double may decide differently: within rounding of a threshold.
+  void exclude() { ++m_excluded; }
+
+  double largestError() const { return m_largestError; }
+  std::size_t compared() const { return m_compared; }
+  std::size_t excluded() const { return m_excluded; }
+  /// What, where and both values.
+  const std::string& worst() const { return m_worst; }
+
+ private:
+  double m_largestError = 0.0;
+  std::size_t m_compared = 0;
+  std::size_t m_excluded = 0;
+  std::string m_worst = "no error";
+};
+
+/// Compares all values, the scale of a pixel being the largest magnitude of its components, at least
+/// `leastScale`.
+void comparePixels(Comparison& comparison, const std::string& what, const Planes& device,
+                   const ExactPlanes& exact, double leastScale = 1.0,
+                   const BasicPlanes<char>* excluded = nullptr);
+
+/// True if both have the same bits everywhere, `except` apart (pixels that are true there may differ).
+bool sameBits(const Planes& a, const Planes& b, const BasicPlanes<char>* except = nullptr);
+
+/// True if no value is NaN or Inf.
+bool allFinite(const Planes& planes);
+
+}  // namespace quell::tests

@@ -1,0 +1,106 @@
+// What the tests of all stages have in common.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "tests/cases/stage_case.hpp"
+
+namespace quell::tests {
+
+/// Smaller than a work-item's lanes, off every multiple, wider than high and the other way round.
+inline std::vector<Size> testSizes() {
+  return {{1, 1}, {7, 93}, {257, 89}, {33, 31}, {480, 270}};
+}
+
+/// Layouts that take different paths in common/image_access.h.
+inline std::vector<ImageLayout> outputLayouts() {
+  return {packed(4), packedHalf(3), packedHalf(4), interleaved(3), interleaved(4, ComponentFormat::Float16)};
+}
+inline std::vector<ImageLayout> inputLayouts() {
+  return {packed(4),
+          packedHalf(3),
+          packedHalf(4),
+          packed(1),
+          packed(2),
+          interleaved(3),
+          interleaved(4, ComponentFormat::Float16)};
+}
+
+inline const char* toString(Mapping mapping) {
+  return mapping == Mapping::Wide ? "wide" : "narrow";
+}
+
+inline std::string describe(const CaseOptions& options) {
+  return std::to_string(options.size.width) + "x" + std::to_string(options.size.height) + " " +
+         toString(options.mapping) + " " + describe(options.layout) + " group " +
+         std::to_string(options.workGroup[0]) + "x" + std::to_string(options.workGroup[1]) + " fit group " +
+         std::to_string(options.fitGroup);
+}
+
+/// Device and oracle agree within the case's tolerance, and few pixels are left out.
+inline void checkAgreement(StageCase& stageCase, const CaseOptions& options) {
+  const Comparison comparison = stageCase.check();
+  INFO(describe(options));
+  INFO(comparison.worst());
+  INFO(comparison.excluded() << " pixels left out");
+  CHECK(comparison.compared() > 0);
+  CHECK(comparison.largestError() <= stageCase.tolerance());
+  const double pixels = double(options.size.width) * double(options.size.height);
+  CHECK(double(comparison.excluded()) <= 2.0 + kExcludedShare * pixels);
+}
+
+using CaseMaker = std::function<std::unique_ptr<StageCase>(const CaseOptions&)>;
+
+/// All sizes, both mappings.
+inline void checkSizes(const CaseMaker& make) {
+  unsigned seed = 100;
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    for (const Size size : testSizes()) {
+      CaseOptions options;
+      options.size = size;
+      options.mapping = mapping;
+      options.seed = seed++;
+      checkAgreement(*make(options), options);
+    }
+  }
+}
+
+/// These layouts at a size with whole and broken groups of lanes, both mappings.
+inline void checkLayouts(const CaseMaker& make, const std::vector<ImageLayout>& layouts) {
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    for (const ImageLayout& layout : layouts) {
+      CaseOptions options;
+      options.size = {37, 5};
+      options.mapping = mapping;
+      options.layout = layout;
+      checkAgreement(*make(options), options);
+    }
+  }
+}
+
+/// The named buffers have the same bits after runs with different work-groups and with either mapping.
+inline void checkWorkGroups(const CaseMaker& make, const std::vector<std::string>& outputs) {
+  std::vector<Planes> first;
+  CaseOptions options;
+  options.size = {77, 43};
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    for (const std::array<int, 2> group : {std::array<int, 2>{1, 1}, std::array<int, 2>{16, 4}}) {
+      options.mapping = mapping;
+      options.workGroup = group;
+      const auto stageCase = make(options);
+      stageCase->upload();
+      stageCase->run();
+      for (std::size_t i = 0; i < outputs.size(); ++i) {
+        INFO(outputs[i] << " " << describe(options));
+        Planes output = stageCase->harness().download(outputs[i]);
+        if (first.size() <= i) first.push_back(output);
+        CHECK(sameBits(first[i], output));
+      }
+    }
+  }
+}
+
+}  // namespace quell::tests

@@ -1,0 +1,78 @@
+// Runs one stage of a method on a device, with inputs and outputs in host memory.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <quell/denoiser.hpp>
+#include <string>
+
+#include "host/core/schedule.hpp"
+#include "host/core/stage.hpp"
+#include "host/io/image.hpp"
+#include "tests/support/planes.hpp"
+
+namespace quell::tests {
+
+/// The device that all tests of a process share: environment variable QUELL_TEST_DEVICE (index or part of a
+/// name), else the one that quell::chooseDevice() prefers.
+struct TestDevice {
+  cl::Device device;
+  cl::Context context;
+  cl::CommandQueue queue;  ///< in order, with profiling
+  ProgramCache cache;      ///< in memory only
+
+  static const TestDevice& shared();
+};
+
+/// What the stage is compiled for. Image views need no memory.
+struct StageSetup {
+  Size size;
+  Mapping mapping = Mapping::Automatic;
+  std::array<int, 2> workGroup{0, 0};
+  int fitGroup = 0;
+  Settings settings;
+  Frame frame;
+  Output output;
+};
+
+/// One line of the method's table with buffers of its own: the stage can touch no other. Margins hold finite
+/// rubbish instead of zeros, since only finiteness is promised.
+class StageHarness {
+ public:
+  /// Takes the stage `stem` from the schedule of the setup's method and compiles it.
+  StageHarness(const std::string& stem, const StageSetup& setup);
+
+  /// By the names of the table, "<name>.prev" included. Bytes are converted from and to floats.
+  void upload(const std::string& name, const Planes& planes);
+  Planes download(const std::string& name) const;
+
+  /// The caller's images; those of the setup must all be set before run().
+  void setInput(ImageView Frame::*image, const io::Image& pixels);
+  void clearOutput(ImageView Output::*image);
+  std::vector<unsigned char> outputBytes(ImageView Output::*image) const;
+  io::Image output(ImageView Output::*image) const;
+
+  /// Runs the stage once, waits, and returns the device time of its kernels, milliseconds (wall time on
+  /// runtimes without event times).
+  double run(const ReprojectionParams& reprojection = {}, std::uint32_t frameIndex = 1);
+
+  Size size() const { return m_configuration.size(); }
+  const Configuration& configuration() const { return m_configuration; }
+  /// Bytes that the stage must read and write per frame, each counted once.
+  std::uint64_t bytesMoved() const;
+
+ private:
+  void allocate();
+  const BufferSpec& specOf(const std::string& name) const;
+
+  Configuration m_configuration;
+  Schedule m_schedule;
+  std::size_t m_row = 0;
+  std::map<std::string, cl::Buffer> m_buffers;
+  std::map<std::string, cl::Buffer> m_images;  // memory behind m_frame and m_output
+  Frame m_frame;
+  Output m_output;
+};
+
+}  // namespace quell::tests
