@@ -1,55 +1,72 @@
 #include "bench/copy_bandwidth.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
-#include <vector>
 
 #include "host/core/cl_error.hpp"
-#include "host/core/frame_timer.hpp"
+#include "host/core/opencl.hpp"
 
 namespace quell {
 namespace {
 
-constexpr std::size_t kBufferBytes = std::size_t{256} << 20;
-constexpr int kWarmUpRuns = 3;
-constexpr int kRuns = 30;
-constexpr std::size_t kWorkGroup = 64;
-// Bytes of one copy: 1280 x 720 pixels, 3 floats, read and written.
-constexpr double kCopyBytes = 1280.0 * 720.0 * 12.0 * 2.0;
+constexpr char kSource[] =
+    "__kernel void copy(__global const float4* from, __global float4* to) {\n"
+    "  to[get_global_id(0)] = from[get_global_id(0)];\n"
+    "}\n";
 
-constexpr char kSource[] = R"(
-__kernel void copy(__global const float4* from, __global float4* to) {
-  const size_t i = get_global_id(0);
-  to[i] = from[i];
+constexpr std::size_t kBufferBytes = std::size_t(256) << 20;
+constexpr std::size_t kVectorBytes = 16;
+// Work-items of a group: coalesced on GPUs, and a loop long enough to vectorise on CPUs.
+constexpr std::size_t kWorkGroup = 256;
+constexpr int kWarmUps = 3;
+constexpr std::size_t kRuns = 30;
+
+using Clock = std::chrono::steady_clock;
+
+// A multiple of the work-group's bytes that the device can allocate twice.
+std::size_t bufferBytes(const cl::Device& device) {
+  const std::size_t most = std::min<std::size_t>(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>(),
+                                                 device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>() / 4);
+  const std::size_t step = kWorkGroup * kVectorBytes;
+  return std::min(kBufferBytes, most) / step * step;
 }
-)";
 
-double runOnce(const cl::CommandQueue& queue, const cl::Kernel& kernel) {
+cl::Kernel buildCopy(const cl::Context& context, const cl::Device& device) {
+  cl::Program program(context, kSource);
+  program.build({device}, "-cl-std=CL1.2");
+  return cl::Kernel(program, "copy");
+}
+
+// Seconds of one run, by events, or by the clock on runtimes whose events carry no times.
+double runOnce(const cl::CommandQueue& queue, const cl::Kernel& kernel, std::size_t items,
+               std::size_t group) {
   cl::Event event;
-  const auto start = std::chrono::steady_clock::now();
-  queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(kBufferBytes / sizeof(cl_float4)),
-                             cl::NDRange(kWorkGroup), nullptr, &event);
+  const auto begin = Clock::now();
+  queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group), nullptr, &event);
   event.wait();
-  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
-  if (!FrameTimer::hasDeviceTimes(event)) return wall.count();
-  return static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
-                             event.getProfilingInfo<CL_PROFILING_COMMAND_START>()) *
-         1e-6;
+  const std::chrono::duration<double> wall = Clock::now() - begin;
+  const auto start = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
+  const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
+  return end > start ? double(end - start) * 1e-9 : wall.count();
 }
 
 CopyBandwidth measure(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue) {
-  cl::Program program(context, kSource);
-  program.build({device});
-  cl::Kernel kernel(program, "copy");
-  const cl::Buffer from(context, CL_MEM_READ_WRITE, kBufferBytes);
-  const cl::Buffer to(context, CL_MEM_READ_WRITE, kBufferBytes);
-  queue.enqueueFillBuffer(from, cl_float(1.0f), 0, kBufferBytes);
+  const std::size_t bytes = bufferBytes(device);
+  const cl::Buffer from(context, CL_MEM_READ_WRITE, bytes);
+  const cl::Buffer to(context, CL_MEM_READ_WRITE, bytes);
+  queue.enqueueFillBuffer(from, cl_float(1.0f), 0, bytes);  // so that every page exists
+  cl::Kernel kernel = buildCopy(context, device);
   kernel.setArg(0, from);
   kernel.setArg(1, to);
-  for (int i = 0; i < kWarmUpRuns; ++i) runOnce(queue, kernel);
-  std::vector<double> samplesMs;
-  for (int i = 0; i < kRuns; ++i) samplesMs.push_back(runOnce(queue, kernel));
-  const double bytesPerMs = 2.0 * static_cast<double>(kBufferBytes) / summarise(samplesMs).medianMs;
-  return {bytesPerMs * 1e-6, kCopyBytes / bytesPerMs};
+  const std::size_t group = std::min(kWorkGroup, kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device));
+  const std::size_t items = bytes / kVectorBytes / group * group;
+  for (int i = 0; i < kWarmUps; ++i) runOnce(queue, kernel, items, group);
+  std::array<double, kRuns> seconds;
+  for (double& run : seconds) run = runOnce(queue, kernel, items, group);
+  std::nth_element(seconds.begin(), seconds.begin() + kRuns / 2, seconds.end());
+  const double bytesPerSecond = 2.0 * double(items * kVectorBytes) / seconds[kRuns / 2];
+  return {bytesPerSecond * 1e-9, kCopyBytes / bytesPerSecond * 1e3};
 }
 
 }  // namespace

@@ -1,20 +1,22 @@
-// The yardstick of all speed figures: how fast the device copies memory.
+// What the device's memory can do at best: the yardstick for all kernels.
 #pragma once
 
 #include <CL/cl.h>
 
 namespace quell {
 
-/// The unit *copy* is the time in which a packed float3 frame of 1280x720 is read and written (22.1 MB) at
-/// the measured bandwidth.
+/// Bytes of one *copy*, the unit in which stage times are comparable between devices: an image of 1280x720
+/// with 24 bytes a pixel (float3 in, float3 out).
+constexpr double kCopyBytes = 1280.0 * 720.0 * 24.0;
+
 struct CopyBandwidth {
-  double gigabytesPerSecond = 0.0;  ///< 1e9 bytes read and written per second
-  double copyMs = 0.0;              ///< milliseconds of one copy
+  double gigabytesPerSecond = 0.0;  ///< 1e9 bytes read or written per second
+  double copyMs = 0.0;              ///< time of one copy at this bandwidth
 };
 
-/// Median of 30 runs, after warm-up, of a float4 copy kernel between two buffers of 256 MiB (smaller ones
-/// would sit in cache). Event times where the queue and runtime give them, else the host's clock. Throws
-/// Error(DeviceError | OutOfMemory).
+/// Copies between two buffers of 256 MiB (less where the device allows no such buffers), float4 by float4:
+/// the median of 30 runs after a warm-up. The queue needs CL_QUEUE_PROFILING_ENABLE and should be idle.
+/// Throws quell::Error.
 CopyBandwidth measureCopyBandwidth(cl_context context, cl_device_id device, cl_command_queue queue);
 
 }  // namespace quell

@@ -19,7 +19,7 @@ typedef struct Sample {
   intL present;
 } Sample;
 
-static inline Sample loadSample(__global const uchar* radianceData, __global const uchar* emissionData,
+QUELL_INLINE Sample loadSample(__global const uchar* radianceData, __global const uchar* emissionData,
                                 __global const uchar* albedoData, __global const uchar* glossColorData,
                                 AccumulateNoisyParams params, int x, int y, int lanes) {
   const float3L radiance = LOAD_PIXELS(RADIANCE, radianceData, params.radiance, x, y, lanes);
@@ -48,7 +48,7 @@ static inline Sample loadSample(__global const uchar* radianceData, __global con
   return sample;
 }
 
-static inline Surface loadSurface(__global const uchar* normalData, __global const uchar* positionData,
+QUELL_INLINE Surface loadSurface(__global const uchar* normalData, __global const uchar* positionData,
                                   AccumulateNoisyParams params, int x, int y, int lanes) {
   const float3L normal = LOAD_PIXELS(NORMAL, normalData, params.normal, x, y, lanes);
   const float3L position = LOAD_PIXELS(POSITION, positionData, params.position, x, y, lanes);

@@ -62,14 +62,14 @@ typedef struct Columns {
 #define COLUMNS_ARGUMENT floatL columns[QUELL_FIT_COLUMNS][ITEM_ROWS]
 #endif
 
-static inline int mirror(int i, int size) {
+QUELL_INLINE int mirror(int i, int size) {
   // Reflections repeat with period 2 * size, which matters where the image is smaller than a block.
   int folded = i % (2 * size);
   folded = folded < 0 ? folded + 2 * size : folded;
   return folded < size ? folded : 2 * size - 1 - folded;
 }
 
-static inline GatherPlan planBlockRow(FitParams params, int row, int blockX, int blockY) {
+QUELL_INLINE GatherPlan planBlockRow(FitParams params, int row, int blockX, int blockY) {
   const int x = blockX + (row & (QUELL_BLOCK_EDGE - 1));
   const int y = mirror(blockY + row / QUELL_BLOCK_EDGE, params.planes.height);
   GatherPlan plan;
@@ -91,7 +91,7 @@ static inline GatherPlan planBlockRow(FitParams params, int row, int blockX, int
   return plan;
 }
 
-static inline float sumLanes(floatL v) {
+QUELL_INLINE float sumLanes(floatL v) {
 #if QUELL_LANES == 1
   return v;
 #else
@@ -102,7 +102,7 @@ static inline float sumLanes(floatL v) {
 #endif
 }
 
-static inline float minOfLanes(floatL v) {
+QUELL_INLINE float minOfLanes(floatL v) {
 #if QUELL_LANES == 1
   return v;
 #else
@@ -114,7 +114,7 @@ static inline float minOfLanes(floatL v) {
 }
 
 // Sum of a product of two columns over the rows of this work-item, per lane.
-static inline floatL partialDot(COLUMNS_ARGUMENT, int a, int b) {
+QUELL_INLINE floatL partialDot(COLUMNS_ARGUMENT, int a, int b) {
   floatL sums[CHUNKS];
   UNROLL
   for (int chunk = 0; chunk < CHUNKS; ++chunk) {
@@ -131,7 +131,7 @@ static inline floatL partialDot(COLUMNS_ARGUMENT, int a, int b) {
 }
 
 // Sums of `count` per-item values over the work-group, in a halving tree. All work-items get the result.
-static inline void groupSum(__local floatL* exchange, int id, floatL* values, int first, int count) {
+QUELL_INLINE void groupSum(__local floatL* exchange, int id, floatL* values, int first, int count) {
 #if FIT_GROUP_SIZE > 1
   UNROLL
   for (int k = first; k < count; ++k) exchange[k * FIT_GROUP_SIZE + id] = values[k];
@@ -150,7 +150,7 @@ static inline void groupSum(__local floatL* exchange, int id, floatL* values, in
 #endif
 }
 
-static inline void groupMin(__local floatL* exchange, int id, floatL* values, int count) {
+QUELL_INLINE void groupMin(__local floatL* exchange, int id, floatL* values, int count) {
 #if FIT_GROUP_SIZE > 1
   UNROLL
   for (int k = 0; k < count; ++k) exchange[k * FIT_GROUP_SIZE + id] = values[k];

@@ -11,7 +11,7 @@
 #include "temporal_antialiasing_params.h"
 
 // RGB to YCoCg with gains 4, 2, 4 left in; the inverse takes them out.
-static inline float3L toYCoCg(float3L rgb) {
+QUELL_INLINE float3L toYCoCg(float3L rgb) {
   float3L v;
   v.x = rgb.x + 2.0f * rgb.y + rgb.z;
   v.y = 2.0f * (rgb.x - rgb.z);
@@ -19,7 +19,7 @@ static inline float3L toYCoCg(float3L rgb) {
   return v;
 }
 
-static inline float3L toRgb(float3L v) {
+QUELL_INLINE float3L toRgb(float3L v) {
   float3L rgb;
   rgb.x = 0.25f * (v.x + v.y - v.z);
   rgb.y = 0.25f * (v.x + v.z);
@@ -32,7 +32,7 @@ typedef struct Bounds {
   float3L high;
 } Bounds;
 
-static inline Bounds include(Bounds bounds, float3L v, intL mask) {
+QUELL_INLINE Bounds include(Bounds bounds, float3L v, intL mask) {
   bounds.low.x = mask && v.x < bounds.low.x ? v.x : bounds.low.x;
   bounds.low.y = mask && v.y < bounds.low.y ? v.y : bounds.low.y;
   bounds.low.z = mask && v.z < bounds.low.z ? v.z : bounds.low.z;
@@ -42,7 +42,7 @@ static inline Bounds include(Bounds bounds, float3L v, intL mask) {
   return bounds;
 }
 
-static inline floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA, floatL highB) {
+QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA, floatL highB) {
   return minLanes(maxLanes(v, 0.5f * (lowA + lowB)), 0.5f * (highA + highB));
 }
 

@@ -13,13 +13,14 @@
 // Least divisor, so that a vanishing factor gives a large but finite irradiance (reflectance).
 #define QUELL_DEMODULATION_LEAST_FACTOR 1e-6f
 
-// Share of a channel that is filtered, 0 to 1.
-static inline floatL filteredShare(floatL factor) {
+// Share of a channel that is filtered, 0 to 1. None below the least factor, where the share itself is below 3e-8: a
+// weight must never be so small that its inverse overflows.
+QUELL_INLINE floatL filteredShare(floatL factor) {
   const floatL t = clampLanes(factor * (1.0f / QUELL_DEMODULATION_FULL_FACTOR), 0.0f, 1.0f);
-  return t * t * (3.0f - 2.0f * t);
+  return factor < QUELL_DEMODULATION_LEAST_FACTOR ? ZERO_LANES : t * t * (3.0f - 2.0f * t);
 }
 
-static inline float3L filteredShare3(float3L factor) {
+QUELL_INLINE float3L filteredShare3(float3L factor) {
   factor.x = filteredShare(factor.x);
   factor.y = filteredShare(factor.y);
   factor.z = filteredShare(factor.z);
@@ -27,11 +28,11 @@ static inline float3L filteredShare3(float3L factor) {
 }
 
 // A factor that is negative or not finite counts as 0: such a pixel passes through.
-static inline floatL cleanFactor(floatL factor) {
+QUELL_INLINE floatL cleanFactor(floatL factor) {
   return (isFinite(factor) && factor > 0.0f) ? minLanes(factor, (floatL)(QUELL_MAX_RADIANCE)) : ZERO_LANES;
 }
 
-static inline float3L cleanFactor3(float3L factor) {
+QUELL_INLINE float3L cleanFactor3(float3L factor) {
   factor.x = cleanFactor(factor.x);
   factor.y = cleanFactor(factor.y);
   factor.z = cleanFactor(factor.z);
@@ -39,12 +40,12 @@ static inline float3L cleanFactor3(float3L factor) {
 }
 
 // Radiance without emission, in [0, 65504]; 0 where either is not finite.
-static inline float3L cleanSignal(float3L radiance, float3L emission, intL finite) {
+QUELL_INLINE float3L cleanSignal(float3L radiance, float3L emission, intL finite) {
   const float3L signal = clamp3(subtract3(radiance, emission), 0.0f, QUELL_MAX_RADIANCE);
   return select3(finite, signal, splat3(0.0f));
 }
 
-static inline floatL divideByFactor(floatL signal, floatL factor) {
+QUELL_INLINE floatL divideByFactor(floatL signal, floatL factor) {
   return minLanes(signal / maxLanes(factor, (floatL)(QUELL_DEMODULATION_LEAST_FACTOR)),
                   (floatL)(QUELL_MAX_RADIANCE));
 }
@@ -52,7 +53,7 @@ static inline floatL divideByFactor(floatL signal, floatL factor) {
 // Irradiance of a pixel and its weight as a filter tap. A channel whose factor vanishes tells nothing about the light;
 // as all channels share one weight, it is filled with the mean of the channels that do, and the weight is the share
 // of the best of them.
-static inline float3L demodulate(float3L signal, float3L factor, floatL* weight) {
+QUELL_INLINE float3L demodulate(float3L signal, float3L factor, floatL* weight) {
   const float3L share = filteredShare3(factor);
   float3L irradiance;
   irradiance.x = divideByFactor(signal.x, factor.x);

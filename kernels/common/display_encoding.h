@@ -11,7 +11,7 @@
 
 // log2 for normal positive v: v = 2^e m with m in [sqrt(1/2), sqrt(2)); log2(m) from the series of
 // 2 artanh((m - 1) / (m + 1)), whose first dropped term is below 4e-10.
-static inline floatL log2Lanes(floatL v) {
+QUELL_INLINE floatL log2Lanes(floatL v) {
   const intL bits = AS_INT(v) - 0x3f3504f3;  // exponent steps at sqrt(1/2) instead of at 1
   const intL exponent = bits >> 23;
   const floatL m = AS_FLOAT((bits & 0x007fffff) + 0x3f3504f3);
@@ -24,7 +24,7 @@ static inline floatL log2Lanes(floatL v) {
 }
 
 // 2^v for v in [-126, 126]: Taylor series of e^(f ln 2) for f in [-0.5, 0.5], first dropped term below 6e-9.
-static inline floatL exp2Lanes(floatL v) {
+QUELL_INLINE floatL exp2Lanes(floatL v) {
   const intL whole = floorLanes(v + 0.5f);
   const floatL y = (v - TO_FLOAT(whole)) * 0.693147181f;
   const floatL series =
@@ -39,13 +39,13 @@ static inline floatL exp2Lanes(floatL v) {
 // Values below this encode to 0 (2^-100): it keeps the logarithm off zero and denormals.
 #define QUELL_DISPLAY_LEAST 7.8886090522101181e-31f
 
-static inline floatL encodeDisplay(floatL linear) {
+QUELL_INLINE floatL encodeDisplay(floatL linear) {
   const floatL v = clampLanes(linear, QUELL_DISPLAY_LEAST, 1.0f);
   const floatL encoded = exp2Lanes(log2Lanes(v) * (1.0f / QUELL_DISPLAY_GAMMA));
   return v > QUELL_DISPLAY_LEAST ? encoded : ZERO_LANES;
 }
 
-static inline float3L encodeDisplay3(float3L linear) {
+QUELL_INLINE float3L encodeDisplay3(float3L linear) {
   linear.x = encodeDisplay(linear.x);
   linear.y = encodeDisplay(linear.y);
   linear.z = encodeDisplay(linear.z);

@@ -5,7 +5,7 @@
 #include "common/lanes.h"
 #include "fit_params.h"
 
-static inline void makeFeatures(floatL features[QUELL_FEATURES], float3L normal, float3L scaledPosition) {
+QUELL_INLINE void makeFeatures(floatL features[QUELL_FEATURES], float3L normal, float3L scaledPosition) {
   features[0] = ONE_LANES;
   features[1] = normal.x;
   features[2] = normal.y;

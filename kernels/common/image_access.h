@@ -13,12 +13,12 @@
 #define QUELL_FORMAT_FLOAT 1
 #define QUELL_FORMAT_HALF 2
 
-static inline float loadComponent(__global const void* data, size_t component, int format) {
+QUELL_INLINE float loadComponent(__global const void* data, size_t component, int format) {
   return format == QUELL_FORMAT_HALF ? vload_half(component, (__global const half*)data)
                                      : ((__global const float*)data)[component];
 }
 
-static inline void storeComponent(float value, __global void* data, size_t component, int format) {
+QUELL_INLINE void storeComponent(float value, __global void* data, size_t component, int format) {
   if (format == QUELL_FORMAT_HALF) {
     vstore_half(value, component, (__global half*)data);
   } else {
@@ -27,12 +27,12 @@ static inline void storeComponent(float value, __global void* data, size_t compo
 }
 
 #if QUELL_LANES == 16
-static inline float16 loadComponents16(__global const void* data, size_t component, int format) {
+QUELL_INLINE float16 loadComponents16(__global const void* data, size_t component, int format) {
   return format == QUELL_FORMAT_HALF ? vload_half16(0, (__global const half*)data + component)
                                      : vload16(0, (__global const float*)data + component);
 }
 
-static inline void storeComponents16(float16 value, __global void* data, size_t component, int format) {
+QUELL_INLINE void storeComponents16(float16 value, __global void* data, size_t component, int format) {
   if (format == QUELL_FORMAT_HALF) {
     vstore_half16(value, 0, (__global half*)data + component);
   } else {
@@ -40,7 +40,7 @@ static inline void storeComponents16(float16 value, __global void* data, size_t 
   }
 }
 
-static inline float3L loadPacked3(__global const void* data, size_t component, int format) {
+QUELL_INLINE float3L loadPacked3(__global const void* data, size_t component, int format) {
   const float16 a = loadComponents16(data, component, format);
   const float16 b = loadComponents16(data, component + 16, format);
   const float16 c = loadComponents16(data, component + 32, format);
@@ -51,7 +51,7 @@ static inline float3L loadPacked3(__global const void* data, size_t component, i
   return v;
 }
 
-static inline float3L loadPacked4(__global const void* data, size_t component, int format) {
+QUELL_INLINE float3L loadPacked4(__global const void* data, size_t component, int format) {
   const float16 a = loadComponents16(data, component, format);
   const float16 b = loadComponents16(data, component + 16, format);
   const float16 c = loadComponents16(data, component + 32, format);
@@ -63,7 +63,7 @@ static inline float3L loadPacked4(__global const void* data, size_t component, i
   return v;
 }
 
-static inline void storePacked3(float3L v, __global void* data, size_t component, int format) {
+QUELL_INLINE void storePacked3(float3L v, __global void* data, size_t component, int format) {
   const float16 x = v.x, y = v.y, z = v.z;
   storeComponents16((float16)(x.s0, y.s0, z.s0, x.s1, y.s1, z.s1, x.s2, y.s2, z.s2, x.s3, y.s3, z.s3, x.s4, y.s4,
                               z.s4, x.s5),
@@ -76,7 +76,7 @@ static inline void storePacked3(float3L v, __global void* data, size_t component
                     data, component + 32, format);
 }
 
-static inline void storePacked4(float3L v, __global void* data, size_t component, int format) {
+QUELL_INLINE void storePacked4(float3L v, __global void* data, size_t component, int format) {
   const float16 x = v.x, y = v.y, z = v.z;
   storeComponents16((float16)(x.s0, y.s0, z.s0, 1.0f, x.s1, y.s1, z.s1, 1.0f, x.s2, y.s2, z.s2, 1.0f, x.s3, y.s3,
                               z.s3, 1.0f),
@@ -94,7 +94,7 @@ static inline void storePacked4(float3L v, __global void* data, size_t component
 #endif
 
 // One component of `lanes` pixels; the other lanes are 0.
-static inline floatL loadStrided(__global const void* data, size_t component, int format, int stride, int lanes) {
+QUELL_INLINE floatL loadStrided(__global const void* data, size_t component, int format, int stride, int lanes) {
 #if QUELL_LANES == 1
   return loadComponent(data, component, format);
 #else
@@ -107,7 +107,7 @@ static inline floatL loadStrided(__global const void* data, size_t component, in
 
 // Loads `lanes` pixels from column x of row y: three components; one component is spread over all three, a missing
 // third is 0. Lanes from `lanes` on are 0.
-static inline float3L loadPixels(__global const void* data, ImageViewParams view, int x, int y, int lanes, int format,
+QUELL_INLINE float3L loadPixels(__global const void* data, ImageViewParams view, int x, int y, int lanes, int format,
                                  int channels, int stride) {
   const size_t first = (size_t)view.offset + (size_t)y * (size_t)view.rowPitch + (size_t)x * (size_t)stride;
 #if QUELL_LANES == 16
@@ -133,7 +133,7 @@ static inline float3L loadPixels(__global const void* data, ImageViewParams view
 
 // Stores `lanes` pixels. A fourth component becomes 1; with fewer than three the rest is dropped. Half outputs are
 // clamped to the largest finite half by the caller.
-static inline void storePixels(float3L value, __global void* data, ImageViewParams view, int x, int y, int lanes,
+QUELL_INLINE void storePixels(float3L value, __global void* data, ImageViewParams view, int x, int y, int lanes,
                                int format, int channels, int stride) {
   const size_t first = (size_t)view.offset + (size_t)y * (size_t)view.rowPitch + (size_t)x * (size_t)stride;
 #if QUELL_LANES == 16

@@ -6,11 +6,11 @@
 #include "common/types.h"
 
 // Element of pixel (x, y) within a plane; x from -QUELL_PLANE_MARGIN to width, y from -1 to height.
-static inline int planeIndex(PlaneParams planes, int x, int y) {
+QUELL_INLINE int planeIndex(PlaneParams planes, int x, int y) {
   return (y + QUELL_PLANE_MARGIN_ROWS) * planes.pitch + QUELL_PLANE_MARGIN + x;
 }
 
-static inline floatL loadLanes(__global const float* plane) {
+QUELL_INLINE floatL loadLanes(__global const float* plane) {
 #if QUELL_LANES == 1
   return plane[0];
 #else
@@ -18,7 +18,7 @@ static inline floatL loadLanes(__global const float* plane) {
 #endif
 }
 
-static inline void storeLanes(floatL value, __global float* plane) {
+QUELL_INLINE void storeLanes(floatL value, __global float* plane) {
 #if QUELL_LANES == 1
   plane[0] = value;
 #else
@@ -26,7 +26,7 @@ static inline void storeLanes(floatL value, __global float* plane) {
 #endif
 }
 
-static inline intL loadByteLanes(__global const uchar* plane) {
+QUELL_INLINE intL loadByteLanes(__global const uchar* plane) {
 #if QUELL_LANES == 1
   return plane[0];
 #else
@@ -35,7 +35,7 @@ static inline intL loadByteLanes(__global const uchar* plane) {
 }
 
 // Values must be in [0, 255].
-static inline void storeByteLanes(intL value, __global uchar* plane) {
+QUELL_INLINE void storeByteLanes(intL value, __global uchar* plane) {
 #if QUELL_LANES == 1
   plane[0] = (uchar)value;
 #else
@@ -43,7 +43,7 @@ static inline void storeByteLanes(intL value, __global uchar* plane) {
 #endif
 }
 
-static inline float3L loadLanes3(__global const float* planes, int index, int stride) {
+QUELL_INLINE float3L loadLanes3(__global const float* planes, int index, int stride) {
   float3L result;
   result.x = loadLanes(planes + index);
   result.y = loadLanes(planes + index + stride);
@@ -51,7 +51,7 @@ static inline float3L loadLanes3(__global const float* planes, int index, int st
   return result;
 }
 
-static inline void storeLanes3(float3L value, __global float* planes, int index, int stride) {
+QUELL_INLINE void storeLanes3(float3L value, __global float* planes, int index, int stride) {
   storeLanes(value.x, planes + index);
   storeLanes(value.y, planes + index + stride);
   storeLanes(value.z, planes + index + 2 * stride);
@@ -70,7 +70,7 @@ typedef struct GatherPlan {
 #endif
 } GatherPlan;
 
-static inline GatherPlan planGather(intL index) {
+QUELL_INLINE GatherPlan planGather(intL index) {
   GatherPlan plan;
   plan.index = index;
 #if QUELL_LANES > 1
@@ -83,7 +83,7 @@ static inline GatherPlan planGather(intL index) {
   return plan;
 }
 
-static inline floatL gatherLanes(__global const float* plane, GatherPlan plan) {
+QUELL_INLINE floatL gatherLanes(__global const float* plane, GatherPlan plan) {
 #if QUELL_LANES == 1
   return plane[plan.index];
 #else
@@ -97,7 +97,7 @@ static inline floatL gatherLanes(__global const float* plane, GatherPlan plan) {
 #endif
 }
 
-static inline floatL gatherByteLanes(__global const uchar* plane, GatherPlan plan) {
+QUELL_INLINE floatL gatherByteLanes(__global const uchar* plane, GatherPlan plan) {
 #if QUELL_LANES == 1
   return convert_float(plane[plan.index]);
 #else
@@ -113,7 +113,7 @@ static inline floatL gatherByteLanes(__global const uchar* plane, GatherPlan pla
 #endif
 }
 
-static inline float3L gatherLanes3(__global const float* planes, GatherPlan plan, int stride) {
+QUELL_INLINE float3L gatherLanes3(__global const float* planes, GatherPlan plan, int stride) {
   float3L result;
   result.x = gatherLanes(planes, plan);
   result.y = gatherLanes(planes + stride, plan);

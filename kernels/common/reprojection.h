@@ -23,11 +23,11 @@ typedef struct BilinearTaps {
   intL inFrame[4];
 } BilinearTaps;
 
-static inline floatL affine(QuellFloat4 row, float3L p) { return row.x * p.x + row.y * p.y + row.z * p.z + row.w; }
-static inline floatL linear(QuellFloat4 row, float3L p) { return row.x * p.x + row.y * p.y + row.z * p.z; }
+QUELL_INLINE floatL affine(QuellFloat4 row, float3L p) { return row.x * p.x + row.y * p.y + row.z * p.z + row.w; }
+QUELL_INLINE floatL linear(QuellFloat4 row, float3L p) { return row.x * p.x + row.y * p.y + row.z * p.z; }
 
 // Camera-relative point at clip.w = 1 through the centre of pixel (x, y).
-static inline float3L viewRay(ReprojectionParams params, floatL x, floatL y) {
+QUELL_INLINE float3L viewRay(ReprojectionParams params, floatL x, floatL y) {
   float3L ray;
   ray.x = params.rayOrigin.x + x * params.rayX.x + y * params.rayY.x;
   ray.y = params.rayOrigin.y + x * params.rayX.y + y * params.rayY.y;
@@ -36,13 +36,13 @@ static inline float3L viewRay(ReprojectionParams params, floatL x, floatL y) {
 }
 
 // Rounds to 1/256 pixel. |v| must be below 2^23.
-static inline floatL roundToSubpixel(floatL v) {
+QUELL_INLINE floatL roundToSubpixel(floatL v) {
   return TO_FLOAT(floorLanes(v * QUELL_SUBPIXEL_STEPS + 0.5f)) * (1.0f / QUELL_SUBPIXEL_STEPS);
 }
 
 // Pixel index in the frame before, rounded to 1/256; lanes that lie outside by a pixel or more, or behind the camera,
 // are flagged in `inside` and moved to 0.
-static inline intL reproject(ReprojectionParams params, float3L position, intL isDirection, int width, int height,
+QUELL_INLINE intL reproject(ReprojectionParams params, float3L position, intL isDirection, int width, int height,
                              floatL* xPrev, floatL* yPrev) {
   const floatL translate = isDirection ? ZERO_LANES : ONE_LANES;
   const floatL w = linear(params.clipWPrev, position) + translate * params.clipWPrev.w;
@@ -57,7 +57,7 @@ static inline intL reproject(ReprojectionParams params, float3L position, intL i
 }
 
 // Bilinear taps at pixel index (x, y), which must lie in [-1, width] x [-1, height].
-static inline BilinearTaps bilinearTaps(PlaneParams planes, floatL x, floatL y) {
+QUELL_INLINE BilinearTaps bilinearTaps(PlaneParams planes, floatL x, floatL y) {
   BilinearTaps taps;
   const intL column = floorLanes(x);
   const intL row = floorLanes(y);
@@ -80,10 +80,10 @@ static inline BilinearTaps bilinearTaps(PlaneParams planes, floatL x, floatL y) 
 }
 
 // Distance in elements from tap (0,0) to tap i.
-static inline int tapOffset(PlaneParams planes, int i) { return (i & 1) + (i >> 1) * planes.pitch; }
+QUELL_INLINE int tapOffset(PlaneParams planes, int i) { return (i & 1) + (i >> 1) * planes.pitch; }
 
 // Is a history sample at this position with this normal the same surface? `limitSquared` in scene units squared.
-static inline intL sameSurface(ReprojectionParams params, Surface surface, float3L positionPrev, float3L normalPrev,
+QUELL_INLINE intL sameSurface(ReprojectionParams params, Surface surface, float3L positionPrev, float3L normalPrev,
                                floatL limitSquared) {
   const float3L normalStep = subtract3(normalPrev, surface.normal);
   float3L step = subtract3(positionPrev, surface.position);
@@ -94,14 +94,14 @@ static inline intL sameSurface(ReprojectionParams params, Surface surface, float
 }
 
 // Largest accepted squared distance between a surface point and its history, scene units squared.
-static inline floatL positionLimitSquared(ReprojectionParams params, Surface surface) {
+QUELL_INLINE floatL positionLimitSquared(ReprojectionParams params, Surface surface) {
   const floatL depth = affine(params.clipW, surface.position);
   const floatL limit = params.positionLimit + params.positionLimitFootprint * maxLanes(depth, ZERO_LANES);
   return limit * limit;
 }
 
 // World position (POSITION_*) or clip.w depth (DEPTH_*), and the normal, to a camera-relative surface point.
-static inline Surface makeSurface(ReprojectionParams params, float3L positionWorld, float3L normal) {
+QUELL_INLINE Surface makeSurface(ReprojectionParams params, float3L positionWorld, float3L normal) {
   Surface surface;
   surface.position.x = (positionWorld.x - params.cameraHigh.x) - params.cameraLow.x;
   surface.position.y = (positionWorld.y - params.cameraHigh.y) - params.cameraLow.y;
@@ -111,7 +111,7 @@ static inline Surface makeSurface(ReprojectionParams params, float3L positionWor
 }
 
 // Marks what can be filtered, and replaces everything else by zeros, which no later stage can stumble over.
-static inline Surface checkSurface(Surface surface) {
+QUELL_INLINE Surface checkSurface(Surface surface) {
   const floatL lengthSquared = dot3(surface.normal, surface.normal);
   surface.valid = isFinite3(surface.position) && absLanes(surface.position.x) < QUELL_MAX_POSITION &&
                   absLanes(surface.position.y) < QUELL_MAX_POSITION &&

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "tests/cases/accumulate_noisy_case.hpp"
 #include "tests/support/random_images.hpp"
@@ -33,6 +35,14 @@ bool isSurface(const Planes& guides, int x, int y) {
 
 std::vector<const Planes*> allOutputs(const AccumulateNoisyOutputs<float>& o) {
   return {&o.irradiance, &o.historyLength, &o.guides, &o.pixelPrev, &o.reprojectionMask};
+}
+
+// So near that history is shared among neighbours.
+TestCamera slightlyMovedCamera() {
+  TestCamera camera;
+  camera.x += 0.001;
+  camera.y += 0.001;
+  return camera;
 }
 
 const AccumulateNoisyVariant kPlain{kPlainMaterial, false};
@@ -71,8 +81,10 @@ TEST_CASE("accumulate_noisy without a frame before is the plain sample") {
     const bool surface = isSurface(outputs.guides, x, y);
     CHECK(outputs.reprojectionMask.at(0, x, y) == 0.0f);
     CHECK(outputs.historyLength.at(0, x, y) == (surface ? 1.0f : 0.0f));
-    for (int c = 0; c < 3; ++c)
-      CHECK(outputs.irradiance.at(c, x, y) == (surface ? noisy.inputs.material.radiance.at(x, y, c) : 0.0f));
+    for (int c = 0; c < 3; ++c) {
+      const double expected = surface ? noisy.inputs.material.radiance.at(x, y, c) : 0.0;
+      CHECK(outputs.irradiance.at(c, x, y) == Approx(expected).margin(8.0 * kAccumulateNoisyTolerance));
+    }
   });
 }
 
@@ -182,6 +194,34 @@ TEST_CASE("accumulate_noisy keeps the history of a pixel without a sample") {
     CHECK(outputs.historyLength.at(0, x, y) == (surface ? 3.0f : 0.0f));
     CHECK(outputs.irradiance.at(2, x, y) == (surface ? noisy.inputs.irradiancePrev.at(2, x, y) : 0.0f));
   });
+}
+
+TEST_CASE("accumulate_noisy takes materials that fade to black") {
+  // Albedos from 1 down to the smallest denormal; in the next frame the pixels live on their faint history
+  // alone.
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    CaseOptions options;
+    options.size = {184, 31};
+    options.mapping = mapping;
+    AccumulateNoisyCase noisy(options, {{false, true, false, false}, false});
+    auto& albedo = noisy.inputs.material.albedo;
+    forEachPixel(options.size, [&](int x, int y) {
+      for (int c = 0; c < 3; ++c) albedo.at(x, y, c) = float(std::pow(10.0, -0.25 * x));
+    });
+    checkAgreement(noisy, options);
+    const auto first = noisy.outputs();
+    for (const float value : first.irradiance.values) CHECK(value <= QUELL_MAX_RADIANCE);
+    noisy.inputs.irradiancePrev = first.irradiance;
+    noisy.inputs.historyLengthPrev = first.historyLength;
+    noisy.inputs.guidesPrev = first.guides;
+    for (float& value : noisy.inputs.material.radiance.pixels)
+      value = std::numeric_limits<float>::quiet_NaN();
+    noisy.useReprojection(makeReprojection({}, slightlyMovedCamera(), options.size));
+    checkAgreement(noisy, options);
+    const auto second = noisy.outputs();
+    for (const Planes* output : allOutputs(second)) CHECK(allFinite(*output));
+    for (const float value : second.irradiance.values) CHECK(value <= QUELL_MAX_RADIANCE);
+  }
 }
 
 TEST_CASE("accumulate_noisy gives finite values for any input, and bad pixels do not leak") {

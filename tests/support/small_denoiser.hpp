@@ -17,17 +17,16 @@ namespace quell::tests {
 /// A context and a queue on the device that QUELL_TEST_DEVICE names (index or part of a name), by default on the
 /// one that quell::chooseDevice() prefers.
 struct OpenDevice {
-  explicit OpenDevice(cl_command_queue_properties properties = 0) : properties(properties) {}
+  explicit OpenDevice(cl_command_queue_properties properties = 0) : queue(context, device, properties) {}
 
   static cl::Device choose() {
     const char* spec = std::getenv("QUELL_TEST_DEVICE");
     return cl::Device(chooseDevice(spec != nullptr ? spec : "").device, true);
   }
 
-  cl_command_queue_properties properties;
   cl::Device device = choose();
   cl::Context context{device};
-  cl::CommandQueue queue{context, device, properties};
+  cl::CommandQueue queue;
 };
 
 inline ImageLayout absent() {
@@ -46,6 +45,7 @@ struct ImageSetup {
   ImageLayout emission = packed(3);
   ImageLayout linear = packed(3);
   ImageLayout display = packed(3);
+  bool roundToHalf = false;  ///< round all inputs to half before they are stored, whatever they are stored as
 };
 
 /// Both outputs of a frame; an absent one is empty.
@@ -83,7 +83,7 @@ inline std::unique_ptr<io::FrameSequence> smallSequence(Size size) {
 class FrameBuffers {
  public:
   FrameBuffers(const OpenDevice& device, const ImageSetup& setup)
-      : m_queue(device.queue), m_sequence(smallSequence(setup.size)) {
+      : m_queue(device.queue), m_sequence(smallSequence(setup.size)), m_roundToHalf(setup.roundToHalf) {
     frame.size = setup.size;
     frame.radiance = allocate(device, setup.radiance);
     frame.normalWorld = allocate(device, setup.normalWorld);
@@ -101,13 +101,13 @@ class FrameBuffers {
   void upload(int number) {
     const io::FrameData data = m_sequence->read(number);
     frame.camera = data.camera;
-    write(frame.radiance, data.radiance);
-    write(frame.normalWorld, data.normalWorld);
-    write(frame.positionWorld, data.positionWorld);
-    write(frame.viewDepth, viewDepthOf(data));
-    write(frame.albedo, data.albedo);
-    write(frame.glossColor, io::Image(frame.size.width, frame.size.height, 3, 0.25f));
-    write(frame.emission, data.emission);
+    writeInput(frame.radiance, data.radiance);
+    writeInput(frame.normalWorld, data.normalWorld);
+    writeInput(frame.positionWorld, data.positionWorld);
+    writeInput(frame.viewDepth, viewDepthOf(data));
+    writeInput(frame.albedo, data.albedo);
+    writeInput(frame.glossColor, io::Image(frame.size.width, frame.size.height, 3, 0.25f));
+    writeInput(frame.emission, data.emission);
     const io::Image nothing(frame.size.width, frame.size.height, 4, -1.0f);
     write(output.linear, nothing);
     write(output.display, nothing);
@@ -133,6 +133,10 @@ class FrameBuffers {
     return view;
   }
 
+  void writeInput(const ImageView& view, const io::Image& image) {
+    write(view, m_roundToHalf ? asStored(image, packedImage(nullptr, image.channels, ComponentFormat::Float16)) : image);
+  }
+
   void write(const ImageView& view, const io::Image& image) {
     if (!view.present()) return;
     const auto bytes = encodeImage(image, view, frame.size);
@@ -145,6 +149,7 @@ class FrameBuffers {
 
   cl::CommandQueue m_queue;
   std::unique_ptr<io::FrameSequence> m_sequence;
+  bool m_roundToHalf;
   std::vector<cl::Buffer> m_buffers;
 };
 
@@ -211,6 +216,7 @@ class Gate {
   bool m_set = false;
 };
 
+/// Execution status of the event's command: CL_COMPLETE, CL_QUEUED... or negative.
 inline cl_int statusOf(const Event& event) {
   cl_int status = CL_QUEUED;
   clGetEventInfo(event.get(), CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof(status), &status, nullptr);

@@ -1,0 +1,91 @@
+#include "bench/stage_bench.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "tests/cases/accumulate_filtered_case.hpp"
+#include "tests/cases/accumulate_noisy_case.hpp"
+#include "tests/cases/fit_case.hpp"
+#include "tests/cases/remodulate_case.hpp"
+#include "tests/cases/temporal_antialiasing_case.hpp"
+#include "tests/cases/tone_map_case.hpp"
+#include "tests/cases/weighted_sum_case.hpp"
+
+namespace quell::bench {
+namespace {
+
+using tests::CaseOptions;
+using tests::ImageLayout;
+
+// Odd on purpose, and of several blocks.
+constexpr Size kCheckSize{77, 43};
+constexpr int kWarmUps = 3;
+
+template <class Case, class... Arguments>
+StageEntry entry(const std::string& name, Mapping mapping, const ImageLayout& layout,
+                 Arguments... arguments) {
+  return {name, [=](Size size) -> std::unique_ptr<tests::StageCase> {
+            CaseOptions options;
+            options.size = size;
+            options.mapping = mapping;
+            options.layout = layout;
+            return std::make_unique<Case>(options, arguments...);
+          }};
+}
+
+// Stages that read or write the caller's images.
+void addImageStages(std::vector<StageEntry>& entries, const std::string& variant, Mapping mapping,
+                    const ImageLayout& layout) {
+  using tests::kFullMaterial;
+  const tests::AccumulateNoisyVariant full{kFullMaterial, false};
+  entries.push_back(entry<tests::AccumulateNoisyCase>("accumulate_noisy." + variant, mapping, layout, full));
+  entries.push_back(entry<tests::RemodulateCase>("remodulate." + variant, mapping, layout, kFullMaterial));
+  entries.push_back(entry<tests::ToneMapCase>("tone_map.last_" + variant, mapping, layout, true));
+  entries.push_back(
+      entry<tests::TemporalAntialiasingCase>("temporal_antialiasing." + variant, mapping, layout));
+}
+
+// Stages that only know Quell's own planes.
+void addPlaneStages(std::vector<StageEntry>& entries, const std::string& variant, Mapping mapping) {
+  const ImageLayout layout = tests::packed(3);
+  entries.push_back(entry<tests::FitCase>("fit." + variant, mapping, layout));
+  entries.push_back(entry<tests::WeightedSumCase>("weighted_sum." + variant, mapping, layout));
+  entries.push_back(entry<tests::AccumulateFilteredCase>("accumulate_filtered." + variant, mapping, layout));
+  entries.push_back(entry<tests::ToneMapCase>("tone_map." + variant, mapping, layout));
+}
+
+void checkResult(const StageEntry& stage) {
+  const auto stageCase = stage.make(kCheckSize);
+  const tests::Comparison comparison = stageCase->check();
+  if (!(comparison.largestError() <= stageCase->tolerance()))
+    throw std::runtime_error(stage.name + " disagrees with its oracle: " + comparison.worst());
+}
+
+}  // namespace
+
+std::vector<StageEntry> stageEntries() {
+  std::vector<StageEntry> entries;
+  for (const auto& [name, mapping] :
+       {std::pair("wide", Mapping::Wide), std::pair("narrow", Mapping::Narrow)}) {
+    addImageStages(entries, std::string(name) + "_float3", mapping, tests::packed(3));
+    addImageStages(entries, std::string(name) + "_half4", mapping, tests::packedHalf(4));
+    addPlaneStages(entries, name, mapping);
+    entries.push_back(entry<tests::FitCase>("fit." + std::string(name) + "_half", mapping, tests::packed(3),
+                                            FeatureStorage::Half));
+  }
+  return entries;
+}
+
+StageTimes timeStage(const StageEntry& stage, Size size, int repeat) {
+  checkResult(stage);
+  const auto stageCase = stage.make(size);
+  stageCase->upload();
+  for (int i = 0; i < kWarmUps; ++i) stageCase->run();
+  std::vector<double> times;
+  for (int i = 0; i < repeat; ++i) times.push_back(stageCase->run());
+  std::sort(times.begin(), times.end());
+  return {times[times.size() / 2], times.front(), times.back(), stageCase->bytesMoved()};
+}
+
+}  // namespace quell::bench
