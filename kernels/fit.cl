@@ -15,6 +15,7 @@
 // them in private memory: with 256 work-items that is 52 registers and no traffic but the input; with one work-item
 // and 16 lanes it is a stack array that stays in a CPU's nearest caches. FIT_STORAGE_HALF puts the columns into
 // global memory as halves, block after block, as the reference does.
+#include "common/blocks.h"
 #include "common/fit_features.h"
 #include "common/planes.h"
 #include "common/random.h"
@@ -62,55 +63,14 @@ typedef struct Columns {
 #define COLUMNS_ARGUMENT floatL columns[QUELL_FIT_COLUMNS][ITEM_ROWS]
 #endif
 
-QUELL_INLINE int mirror(int i, int size) {
-  // Reflections repeat with period 2 * size, which matters where the image is smaller than a block.
-  int folded = i % (2 * size);
-  folded = folded < 0 ? folded + 2 * size : folded;
-  return folded < size ? folded : 2 * size - 1 - folded;
-}
-
-QUELL_INLINE GatherPlan planBlockRow(FitParams params, int row, int blockX, int blockY) {
-  const int x = blockX + (row & (QUELL_BLOCK_EDGE - 1));
-  const int y = mirror(blockY + row / QUELL_BLOCK_EDGE, params.planes.height);
-  GatherPlan plan;
-#if QUELL_LANES == 1
-  plan.index = planeIndex(params.planes, mirror(x, params.planes.width), y);
-#else
-  if (x >= 0 && x + 16 <= params.planes.width) {
-    plan.index = planeIndex(params.planes, x, y) + LANE_INDEX;
-    plan.firstRun = planeIndex(params.planes, x, y);
-    plan.lastRun = plan.firstRun;
-    plan.inFirstRun = (intL)(-1);
-    plan.runs = 1;
-  } else {
-    int columns[16];
-    for (int lane = 0; lane < 16; ++lane) columns[lane] = mirror(x + lane, params.planes.width);
-    plan = planGather(planeIndex(params.planes, 0, y) + vload16(0, columns));
+// Halving tree over the chunks of logical lanes that a work-item owns.
+QUELL_INLINE floatL sumChunks(floatL* sums) {
+  UNROLL
+  for (int active = CHUNKS / 2; active > 0; active /= 2) {
+    UNROLL
+    for (int chunk = 0; chunk < active; ++chunk) sums[chunk] += sums[chunk + active];
   }
-#endif
-  return plan;
-}
-
-QUELL_INLINE float sumLanes(floatL v) {
-#if QUELL_LANES == 1
-  return v;
-#else
-  const float8 a = v.lo + v.hi;
-  const float4 b = a.lo + a.hi;
-  const float2 c = b.lo + b.hi;
-  return c.x + c.y;
-#endif
-}
-
-QUELL_INLINE float minOfLanes(floatL v) {
-#if QUELL_LANES == 1
-  return v;
-#else
-  const float8 a = v.lo < v.hi ? v.lo : v.hi;
-  const float4 b = a.lo < a.hi ? a.lo : a.hi;
-  const float2 c = b.lo < b.hi ? b.lo : b.hi;
-  return c.x < c.y ? c.x : c.y;
-#endif
+  return sums[0];
 }
 
 // Sum of a product of two columns over the rows of this work-item, per lane.
@@ -124,10 +84,33 @@ QUELL_INLINE floatL partialDot(COLUMNS_ARGUMENT, int a, int b) {
       sum += GET(columns, a, step * CHUNKS + chunk) * GET(columns, b, step * CHUNKS + chunk);
     sums[chunk] = sum;
   }
-  for (int active = CHUNKS / 2; active > 0; active /= 2)
+  return sumChunks(sums);
+}
+
+// Column k minus `along` times column j.
+QUELL_INLINE void reflect(COLUMNS_ARGUMENT, int k, int j, float along) {
+  UNROLL
+  for (int i = 0; i < ITEM_ROWS; ++i) SET(columns, k, i, GET(columns, k, i) - along * GET(columns, j, i));
+}
+
+// The same, and the product of the result with column p, summed as partialDot does.
+QUELL_INLINE floatL reflectAndDot(COLUMNS_ARGUMENT, int k, int j, float along, int p) {
+  floatL sums[CHUNKS];
+  UNROLL
+  for (int chunk = 0; chunk < CHUNKS; ++chunk) {
+    floatL value = GET(columns, k, chunk) - along * GET(columns, j, chunk);
+    SET(columns, k, chunk, value);
+    floatL sum = value * GET(columns, p, chunk);
     UNROLL
-    for (int chunk = 0; chunk < active; ++chunk) sums[chunk] += sums[chunk + active];
-  return sums[0];
+    for (int step = 1; step < STEPS; ++step) {
+      const int i = step * CHUNKS + chunk;
+      value = GET(columns, k, i) - along * GET(columns, j, i);
+      SET(columns, k, i, value);
+      sum += value * GET(columns, p, i);
+    }
+    sums[chunk] = sum;
+  }
+  return sumChunks(sums);
 }
 
 // Sums of `count` per-item values over the work-group, in a halving tree. All work-items get the result.
@@ -170,9 +153,6 @@ QUELL_INLINE void groupMin(__local floatL* exchange, int id, floatL* values, int
 #endif
 }
 
-// Larger than any position; the identity of the minimum.
-#define NO_POSITION 3e38f
-
 __kernel
 #if FIT_GROUP_SIZE > 1
     __attribute__((reqd_work_group_size(FIT_GROUP_SIZE, 1, 1)))
@@ -207,7 +187,7 @@ __kernel
   for (int k = 0; k < 6; ++k) bounds[k] = (floatL)(NO_POSITION);
   UNROLL
   for (int i = 0; i < ITEM_ROWS; ++i) {
-    const GatherPlan plan = planBlockRow(params, (i * FIT_GROUP_SIZE + id) * QUELL_LANES, blockX, blockY);
+    const GatherPlan plan = planBlockRow(params.planes, (i * FIT_GROUP_SIZE + id) * QUELL_LANES, blockX, blockY);
     const intL used = gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan) > 0.0f;
     UNROLL
     for (int axis = 0; axis < 3; ++axis) {
@@ -217,26 +197,19 @@ __kernel
     }
   }
   groupMin(exchange, id, bounds, 6);
-  float anchor[3], scale[3], centreSquared = 0.0f;
-  UNROLL
+  float low[3], high[3], anchor[3], scale[3];
   for (int axis = 0; axis < 3; ++axis) {
-    const float low = minOfLanes(bounds[axis]);
-    const float high = -minOfLanes(bounds[axis + 3]);
-    const int empty = low > high;
-    anchor[axis] = empty ? 0.0f : low;
-    scale[axis] = empty ? 0.0f : high - low;
-    centreSquared += empty ? 0.0f : 0.25f * (low + high) * (low + high);
+    low[axis] = minOfLanes(bounds[axis]);
+    high[axis] = -minOfLanes(bounds[axis + 3]);
   }
-  const float leastRange = QUELL_FIT_LEAST_RANGE * sqrt(centreSquared);
-  UNROLL
-  for (int axis = 0; axis < 3; ++axis) scale[axis] = scale[axis] > leastRange ? 1.0f / scale[axis] : 1.0f;
+  scalePositions(low, high, anchor, scale);
 
   // The augmented matrix [T + N, z], rows weighted.
   const uint blockSeed = hashScalar(params.noiseSeed + (uint)block);
   UNROLL
   for (int i = 0; i < ITEM_ROWS; ++i) {
     const int row = (i * FIT_GROUP_SIZE + id) * QUELL_LANES;
-    const GatherPlan plan = planBlockRow(params, row, blockX, blockY);
+    const GatherPlan plan = planBlockRow(params.planes, row, blockX, blockY);
     const floatL rootWeight = SQRT(gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan));
     float3L position = gatherLanes3(guides + QUELL_GUIDE_POSITION * stride, plan, stride);
     position.x = (position.x - anchor[0]) * scale[0];
@@ -256,14 +229,17 @@ __kernel
       SET(columns, QUELL_FEATURES + c, i, gatherLanes(irradiance + c * stride, plan) * rootWeight);
   }
 
-  // Householder QR: after step j, row j holds R and no longer takes part, so it is set to zero.
+  // Householder QR. Step j reflects the pivot column j onto row j, which then belongs to R and is out of the game: the
+  // pivot columns that follow have zeros there, which keeps it out of every sum and update. A dependent column leaves
+  // its row in the game. One pass per column applies reflection j and sums the products that step j + 1 needs.
   const intL firstRows = (intL)(id * QUELL_LANES) + LANE_INDEX;
+  int takenRows = 0;  // bit j: row j belongs to R
   float tolerance = 0.0f;
+  floatL dots[QUELL_FIT_COLUMNS];
+  UNROLL
+  for (int k = 0; k < QUELL_FIT_COLUMNS; ++k) dots[k] = partialDot(columns, 0, k);
   UNROLL
   for (int j = 0; j < QUELL_FEATURES; ++j) {
-    floatL dots[QUELL_FIT_COLUMNS];
-    UNROLL
-    for (int k = j; k < QUELL_FIT_COLUMNS; ++k) dots[k] = partialDot(columns, j, k);
     UNROLL
     for (int k = j; k < QUELL_FIT_COLUMNS; ++k) {
       floatL pivot = GET(columns, k, 0);
@@ -280,16 +256,24 @@ __kernel
     const float diagonal = head > 0.0f ? -length : length;
     // 2 / (v'v) for v = x - diagonal * e_j
     const float reflection = dependent ? 0.0f : 1.0f / (energy + fabs(head) * length);
+    takenRows |= dependent ? 0 : 1 << j;
+    if (id == 0) r[j][j] = dependent ? 0.0f : diagonal;
     UNROLL
     for (int k = j + 1; k < QUELL_FIT_COLUMNS; ++k) {
       const float along = (sumLanes(dots[k]) - diagonal * pivotRow[k]) * reflection;
       if (id == 0) r[j][k] = pivotRow[k] - along * (head - diagonal);
-      UNROLL
-      for (int i = 0; i < ITEM_ROWS; ++i) SET(columns, k, i, GET(columns, k, i) - along * GET(columns, j, i));
-      // A dependent column leaves its row in the game.
-      if (!dependent) SET(columns, k, 0, firstRows == j ? ZERO_LANES : GET(columns, k, 0));
+      // After the last feature only R is wanted.
+      if (j + 1 < QUELL_FEATURES) {
+        if (k == j + 1) {
+          reflect(columns, k, j, along);
+          const intL taken = firstRows < QUELL_FEATURES && (((intL)(takenRows) >> minLanesInt(firstRows, (intL)(15))) & 1) != 0;
+          SET(columns, k, 0, taken ? ZERO_LANES : GET(columns, k, 0));
+          dots[k] = partialDot(columns, k, k);
+        } else {
+          dots[k] = reflectAndDot(columns, k, j, along, j + 1);
+        }
+      }
     }
-    if (id == 0) r[j][j] = dependent ? 0.0f : diagonal;
     GROUP_BARRIER;
   }
 

@@ -34,7 +34,7 @@ QUELL_NAMESPACE_END
 #define QUELL_FIT_RECORD (QUELL_FIT_SCALE + 3)
 
 // Positions are scaled to [0, 1] where the block's range exceeds this share of the view distance; below, they are
-// rounding noise and only shifted.
+// rounding noise and divided by the distance, which leaves them for the injected noise to drown.
 #define QUELL_FIT_LEAST_RANGE 1e-4f
 // A column whose residual energy is below this share of the sum of weights is a combination of those before it; it
 // gets no coefficient. Far above float rounding (1e-13) and far below the injected noise (3e-5).

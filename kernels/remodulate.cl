@@ -48,9 +48,9 @@ __kernel void remodulate(__global const float* filtered, __global const float* g
   share = select3(surface, share, splat3(0.0f));
 
   float3L radianceOut = multiply3(factor, loadLanes3(filtered, index, planes.stride));
-  radianceOut.x = signal.x + share.x * (radianceOut.x - signal.x);
-  radianceOut.y = signal.y + share.y * (radianceOut.y - signal.y);
-  radianceOut.z = signal.z + share.z * (radianceOut.z - signal.z);
+  radianceOut.x = share.x * radianceOut.x + (1.0f - share.x) * signal.x;
+  radianceOut.y = share.y * radianceOut.y + (1.0f - share.y) * signal.y;
+  radianceOut.z = share.z * radianceOut.z + (1.0f - share.z) * signal.z;
   radianceOut = add3(radianceOut, select3(emissionFinite, emission, splat3(0.0f)));
   radianceOut = clamp3(radianceOut, 0.0f, QUELL_MAX_RADIANCE);
 #if WRITE_PLANES

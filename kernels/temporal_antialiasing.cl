@@ -32,14 +32,44 @@ typedef struct Bounds {
   float3L high;
 } Bounds;
 
-QUELL_INLINE Bounds include(Bounds bounds, float3L v, intL mask) {
-  bounds.low.x = mask && v.x < bounds.low.x ? v.x : bounds.low.x;
-  bounds.low.y = mask && v.y < bounds.low.y ? v.y : bounds.low.y;
-  bounds.low.z = mask && v.z < bounds.low.z ? v.z : bounds.low.z;
-  bounds.high.x = mask && v.x > bounds.high.x ? v.x : bounds.high.x;
-  bounds.high.y = mask && v.y > bounds.high.y ? v.y : bounds.high.y;
-  bounds.high.z = mask && v.z > bounds.high.z ? v.z : bounds.high.z;
+QUELL_INLINE Bounds include(Bounds bounds, float3L v) {
+  bounds.low.x = minLanes(v.x, bounds.low.x);
+  bounds.low.y = minLanes(v.y, bounds.low.y);
+  bounds.low.z = minLanes(v.z, bounds.low.z);
+  bounds.high.x = maxLanes(v.x, bounds.high.x);
+  bounds.high.y = maxLanes(v.y, bounds.high.y);
+  bounds.high.z = maxLanes(v.z, bounds.high.z);
   return bounds;
+}
+
+typedef struct Neighbourhood {
+  Bounds cross;
+  Bounds box;
+} Neighbourhood;
+
+// Bounds over the 3x3 neighbours. At the border those outside stand back for the centre; `atBorder` is constant, so
+// that the inside of the image pays nothing for it.
+QUELL_INLINE Neighbourhood boundsAround(__global const float* encoded, PlaneParams planes, int x, int y,
+                                        float3L centre, int atBorder) {
+  const int index = planeIndex(planes, x, y);
+  const intL column = x + LANE_INDEX;
+  Neighbourhood result;
+  result.cross.low = centre;
+  result.cross.high = centre;
+  result.box = result.cross;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      float3L neighbour = toYCoCg(loadLanes3(encoded, index + dy * planes.pitch + dx, planes.stride));
+      if (atBorder) {
+        const intL inside = column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
+                            (intL)(y + dy) < planes.height;
+        neighbour = select3(inside, neighbour, centre);
+      }
+      result.box = include(result.box, neighbour);
+      if (dx == 0 || dy == 0) result.cross = include(result.cross, neighbour);
+    }
+  }
+  return result;
 }
 
 QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA, floatL highB) {
@@ -58,20 +88,15 @@ __kernel void temporal_antialiasing(__global const float* encoded, __global cons
 
   const float3L newest = loadLanes3(encoded, index, planes.stride);
   const float3L centre = toYCoCg(newest);
-  Bounds cross, box;
-  cross.low = centre;
-  cross.high = centre;
-  box = cross;
-  const intL column = x + LANE_INDEX;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      const intL inside =
-          column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 && (intL)(y + dy) < planes.height;
-      const float3L neighbour = toYCoCg(loadLanes3(encoded, index + dy * planes.pitch + dx, planes.stride));
-      box = include(box, neighbour, inside);
-      if (dx == 0 || dy == 0) cross = include(cross, neighbour, inside);
-    }
+  const int atBorder = x == 0 || y == 0 || x + QUELL_LANES >= planes.width || y == planes.height - 1;
+  Neighbourhood around;
+  if (atBorder) {
+    around = boundsAround(encoded, planes, x, y, centre, 1);
+  } else {
+    around = boundsAround(encoded, planes, x, y, centre, 0);
   }
+  const Bounds box = around.box;
+  const Bounds cross = around.cross;
 
   const BilinearTaps taps =
       bilinearTaps(planes, loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + planes.stride));

@@ -8,6 +8,7 @@ namespace quell::cli {
 
 void addDenoiseCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
+void addBenchCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 
 }  // namespace quell::cli

@@ -42,12 +42,8 @@ json figuresJson(const metrics::ErrorFigures& figures) {
           {"flip", number(figures.flip)}, {"relmse", number(figures.relMse)}};
 }
 
-const char* sourceName(TimeSource source) {
-  return source == TimeSource::Device ? "device" : "host";
-}
-
 void addTimings(json& result, const Timings& timings) {
-  result["time_source"] = sourceName(timings.source);
+  result["time_source"] = toString(timings.source);
   result["frame_ms"] = statisticsJson(timings.frame);
   result["stages"] = json::array();
   for (const StageTimings& stage : timings.stages) {
@@ -61,7 +57,7 @@ void addTimings(json& result, const Timings& timings) {
 
 void printRow(const std::string& name, const TimeStatistics& time, std::uint64_t bytes,
               const DenoiseReport& report) {
-  const double gbs = time.medianMs > 0.0 ? static_cast<double>(bytes) * 1e-6 / time.medianMs : 0.0;
+  const double gbs = gigabytesPerSecond(bytes, time);
   fmt::print("  {:<24}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.1f}{:>8.1f}", name, time.medianMs, time.minMs, time.maxMs,
              static_cast<double>(bytes) * 1e-6, gbs);
   if (report.copyMs)
@@ -72,21 +68,15 @@ void printRow(const std::string& name, const TimeStatistics& time, std::uint64_t
 void printTimings(const DenoiseReport& report) {
   const Timings& timings = *report.timings;
   fmt::print("\n  {:<24}{:>9}{:>9}{:>9}{:>9}{:>8}",
-             fmt::format("stage ({} time, ms)", sourceName(timings.source)), "median", "min", "max", "MB",
+             fmt::format("stage ({} time, ms)", toString(timings.source)), "median", "min", "max", "MB",
              "GB/s");
   if (report.copyMs) fmt::print("{:>8}{:>9}", "copies", "of copy");
   fmt::print("\n");
-  TimeStatistics sum;
-  std::uint64_t bytes = 0;
-  for (const StageTimings& stage : timings.stages) {
+  for (const StageTimings& stage : timings.stages)
     printRow(stage.stage, stage.time, stage.bytesMoved, report);
-    sum.medianMs += stage.time.medianMs;
-    sum.minMs += stage.time.minMs;
-    sum.maxMs += stage.time.maxMs;
-    bytes += stage.bytesMoved;
-  }
-  printRow("sum of stages", sum, bytes, report);
-  printRow("frame, gaps included", timings.frame, bytes, report);
+  const StageTimings sum = sumOfStages(timings);
+  printRow(sum.stage, sum.time, sum.bytesMoved, report);
+  printRow("frame, gaps included", timings.frame, sum.bytesMoved, report);
   if (report.copyMs)
     fmt::print("  one copy (22.1 MB at {:.1f} GB/s) takes {:.3f} ms\n", *report.copyGbs, *report.copyMs);
 }
@@ -111,6 +101,35 @@ void printErrors(const std::vector<FrameErrors>& errors) {
 }
 
 }  // namespace
+
+FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denoised,
+                         const io::Reference& reference) {
+  return {frame.number, metrics::compareToReference(frame.radiance, false, reference.a, reference.b),
+          metrics::compareToReference(denoised.linear, false, reference.a, reference.b),
+          metrics::compareToReference(denoised.display, true, reference.a, reference.b)};
+}
+
+StageTimings sumOfStages(const Timings& timings) {
+  StageTimings sum;
+  sum.stage = "sum of stages";
+  for (const StageTimings& stage : timings.stages) {
+    sum.time.count = stage.time.count;
+    sum.time.medianMs += stage.time.medianMs;
+    sum.time.meanMs += stage.time.meanMs;
+    sum.time.minMs += stage.time.minMs;
+    sum.time.maxMs += stage.time.maxMs;
+    sum.bytesMoved += stage.bytesMoved;
+  }
+  return sum;
+}
+
+double gigabytesPerSecond(std::uint64_t bytes, const TimeStatistics& time) {
+  return time.medianMs > 0.0 ? static_cast<double>(bytes) * 1e-6 / time.medianMs : 0.0;
+}
+
+const char* toString(TimeSource source) {
+  return source == TimeSource::Device ? "device" : "host";
+}
 
 json toJson(const DenoiseReport& report) {
   json result = {{"device", report.device.name},

@@ -1,12 +1,15 @@
 // What the denoise command says about time and error, as text and as JSON.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <quell/quell.hpp>
 #include <string>
 #include <vector>
 
+#include "host/cli/denoise_session.hpp"
+#include "host/io/frame_sequence.hpp"
 #include "host/metrics/report.hpp"
 
 namespace quell::cli {
@@ -18,6 +21,10 @@ struct FrameErrors {
   metrics::ErrorFigures linear;   ///< before TAA
   metrics::ErrorFigures display;  ///< after TAA, where that is on
 };
+
+/// Compares the input and both outputs of one frame with its reference. The input must not be demodulated.
+FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denoised,
+                         const io::Reference& reference);
 
 struct DenoiseReport {
   DeviceInfo device;
@@ -32,6 +39,13 @@ struct DenoiseReport {
   std::vector<FrameErrors> errors;
 };
 
+/// All stages of a frame taken together: sums of their statistics and bytes, gaps between stages left out.
+StageTimings sumOfStages(const Timings& timings);
+
+/// Bytes per time, 1e9 bytes per second; 0 without a time.
+double gigabytesPerSecond(std::uint64_t bytes, const TimeStatistics& time);
+
+const char* toString(TimeSource source);  ///< "device" or "host"
 nlohmann::json toJson(const DenoiseReport& report);
 void print(const DenoiseReport& report);
 

@@ -57,11 +57,15 @@ class DenoiseSession::Implementation {
     m_denoiser.prepare(m_frame, m_output);
   }
 
-  DenoisedFrame denoise(const io::FrameData& data) {
+  void run(const io::FrameData& data) {
     for (const InputImage& input : kInputs) upload(data.*input.source, m_frame.*input.view, data);
     m_frame.camera = data.camera;
     const Event done = m_denoiser.denoise(m_frame, m_output);
     done.wait();
+  }
+
+  DenoisedFrame denoise(const io::FrameData& data) {
+    run(data);
     return {download(m_output.linear), download(m_output.display)};
   }
 
@@ -117,6 +121,10 @@ DenoiseSession::~DenoiseSession() = default;
 
 DenoisedFrame DenoiseSession::denoise(const io::FrameData& frame) {
   return withClErrors("denoise", [&] { return m_implementation->denoise(frame); });
+}
+
+void DenoiseSession::run(const io::FrameData& frame) {
+  withClErrors("denoise", [&] { m_implementation->run(frame); });
 }
 
 void DenoiseSession::repeat() {

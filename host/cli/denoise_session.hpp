@@ -26,6 +26,8 @@ class DenoiseSession {
 
   /// Uploads, denoises and downloads; blocks.
   DenoisedFrame denoise(const io::FrameData& frame);
+  /// Uploads and denoises, but leaves the outputs on the device; blocks. For timing.
+  void run(const io::FrameData& frame);
   /// Denoises the frame uploaded last once more, without any transfer; blocks. For timing.
   void repeat();
 

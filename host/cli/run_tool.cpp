@@ -15,6 +15,7 @@ int runTool(int argc, const char* const* argv) {
   app.require_subcommand(1);
   addDenoiseCommand(app);
   addCompareCommand(app);
+  addBenchCommand(app);
   addDevicesCommand(app);
   try {
     app.parse(argc, argv);

@@ -146,23 +146,24 @@ class Denoiser::Implementation {
   }
 
   void prepare(const Frame& frame, const Output& output) {
-    m_prepared = false;
+    unprepare();
     checkLayout(frame, output);
     if (frame.viewDepth.present() && isOrthographic(frame.camera.worldToClip) &&
         frame.camera.worldToClip != Matrix4{})
       throw Error(ErrorCode::InvalidArgument,
                   {"prepare", "viewDepth", "a perspective camera", "an orthographic one"});
-    if (m_lastEvent() != nullptr) m_lastEvent.wait();  // buffers may be in use
-    m_timer.reset();
-    m_buffers = BufferSet();
     m_configuration.frame = frame;
     m_configuration.output = output;
-
-    m_schedule = m_method.makeSchedule(m_configuration);
-    const KernelBuilder builder(m_context, m_device, m_cache, m_configuration);
-    for (StageRow& row : m_schedule.stages) row.stage->build(builder);
-    m_buffers = BufferSet(m_context, m_queue, m_schedule, frame.size);
-    warmUp();
+    try {
+      m_schedule = m_method.makeSchedule(m_configuration);
+      const KernelBuilder builder(m_context, m_device, m_cache, m_configuration);
+      for (StageRow& row : m_schedule.stages) row.stage->build(builder);
+      m_buffers = BufferSet(m_context, m_queue, m_schedule, frame.size);
+      warmUp();
+    } catch (...) {
+      unprepare();
+      throw;
+    }
     m_frameIndex = 0;
     m_prepared = true;
   }
@@ -177,13 +178,7 @@ class Denoiser::Implementation {
     if (frame.viewDepth.present() && isOrthographic(frame.camera.worldToClip))
       throw Error(ErrorCode::InvalidArgument,
                   {"denoise", "viewDepth", "a perspective camera", "an orthographic one"});
-    std::vector<cl::Event> waitFor;
-    for (cl_event event : waitList) {
-      if (event == nullptr)
-        throw Error(ErrorCode::InvalidArgument, {"denoise", "waitList", "events", "a null event"});
-      waitFor.emplace_back(event, true);
-    }
-    const cl::Event last = record(frame, output, std::move(waitFor));
+    const cl::Event last = record(frame, output, checkedEvents(waitList));
     return Event(retain(last()));
   }
 
@@ -205,7 +200,44 @@ class Denoiser::Implementation {
     return event;
   }
 
+  std::vector<cl::Event> checkedEvents(const std::vector<cl_event>& waitList) const {
+    const auto refuse = [](ErrorCode code, const char* expected, const std::string& got) {
+      throw Error(code, {"denoise", "waitList", expected, got});
+    };
+    std::vector<cl::Event> events;
+    for (cl_event event : waitList) {
+      if (event == nullptr) refuse(ErrorCode::InvalidArgument, "events", "a null event");
+      events.emplace_back(event, true);
+      if (events.back().getInfo<CL_EVENT_CONTEXT>()() != m_context())
+        refuse(ErrorCode::WrongContext, "events of the denoiser's context", "one of another context");
+      // Commands that wait for an event that has failed already never end on some runtimes (PoCL 3.1).
+      const cl_int status = events.back().getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>();
+      if (status < 0)
+        refuse(ErrorCode::DeviceError, "events that have not failed",
+               "one with status " + clErrorName(status));
+    }
+    return events;
+  }
+
+  // Waits for frames in flight, since their memory is about to be given back, and drops all that prepare()
+  // made.
+  void unprepare() {
+    m_prepared = false;
+    if (m_lastEvent() != nullptr) clWaitForEvents(1, &m_lastEvent());  // a failed frame is done, too
+    m_lastEvent = cl::Event();
+    m_timer.reset();
+    m_buffers = BufferSet();
+  }
+
+  // A frame that failed leaves no history, and nothing may wait for it: that would fail as well.
+  void forgetFailedFrame() {
+    if (m_lastEvent() == nullptr || m_lastEvent.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() >= 0) return;
+    m_lastEvent = cl::Event();
+    m_frameIndex = 0;
+  }
+
   cl::Event record(const Frame& frame, const Output& output, std::vector<cl::Event> waitFor) {
+    forgetFailedFrame();
     const bool historyValid = m_frameIndex > 0;
     const ReprojectionParams reprojection = makeReprojectionParams(
         frame.camera, frame.size, m_method.discardLimits(m_configuration.settings), historyValid);

@@ -69,7 +69,7 @@ std::string lowerCase(std::string text) {
 }
 
 bool matches(const DeviceInfo& info, const std::string& spec) {
-  const bool isIndex = !spec.empty() && std::all_of(spec.begin(), spec.end(), ::isdigit);
+  const bool isIndex = !spec.empty() && spec.find_first_not_of("0123456789") == std::string::npos;
   if (isIndex) return spec == std::to_string(info.index);
   return lowerCase(info.name + "\n" + info.platformName).find(lowerCase(spec)) != std::string::npos;
 }

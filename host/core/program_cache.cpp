@@ -67,11 +67,18 @@ std::string entryPath(const std::string& directory, const std::string& key) {
   return (std::filesystem::path(directory) / name).string();
 }
 
+Binary readFile(const std::string& path) {
+  try {
+    std::ifstream file(path, std::ios::binary);
+    return Binary((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  } catch (const std::ios_base::failure&) {
+    return {};  // a directory, a broken disk
+  }
+}
+
 // An entry is trusted only if rebuilding it from its own parts gives the same bytes and the key is ours.
 std::optional<Binary> readEntry(const std::string& path, const std::string& key) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  const Binary entry((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const Binary entry = readFile(path);
   const std::size_t header = sizeof(kMagic) - 1 + 3 * sizeof(std::uint64_t);
   if (entry.size() < header + key.size()) return std::nullopt;
   const Binary binary(entry.begin() + static_cast<std::ptrdiff_t>(header + key.size()), entry.end());

@@ -59,6 +59,13 @@ QuellFloat4 toFloat4(glm::dvec3 v, double w) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
 }
 
+// The float nearest to v. Volatile: GCC 12 vectorises (double)(float)v at -O2 and drops the rounding, which
+// left nothing for the low part of the camera position.
+double roundedToFloat(double v) {
+  const volatile float rounded = static_cast<float>(v);
+  return rounded;
+}
+
 // One row of a matrix, applied to positions relative to `origin`.
 struct Row {
   glm::dvec3 linear;
@@ -125,8 +132,7 @@ ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const
   ReprojectionParams params{};
   params.historyValid = historyValid ? 1 : 0;
 
-  const glm::dvec3 high(static_cast<float>(origin.x), static_cast<float>(origin.y),
-                        static_cast<float>(origin.z));
+  const glm::dvec3 high(roundedToFloat(origin.x), roundedToFloat(origin.y), roundedToFloat(origin.z));
   params.cameraHigh = toFloat4(high, 0.0);
   params.cameraLow = toFloat4(origin - high, 0.0);
   const Row w = rowRelativeTo(camera.worldToClip, 3, origin);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "host/core/cl_error.hpp"
 #include "host/core/stage.hpp"
 
 namespace quell {
@@ -37,6 +38,21 @@ Lifetime lifetimeOf(const std::string& name, const std::vector<StageRow>& stages
     lifetime.last = row;
   }
   return lifetime;
+}
+
+std::string joinedNames(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " + ") + name;
+  return text;
+}
+
+cl::Buffer allocate(const cl::Context& context, std::size_t bytes, const std::string& names) {
+  try {
+    return cl::Buffer(context, CL_MEM_READ_WRITE, bytes);
+  } catch (const cl::Error& error) {
+    throw translateClError(error.err(), std::string(error.what()) + " of " + std::to_string(bytes) + " bytes",
+                           "prepare", names);
+  }
 }
 
 }  // namespace
@@ -87,7 +103,7 @@ BufferSet::BufferSet(const cl::Context& context, const cl::CommandQueue& queue, 
   }
   for (Slot& slot : m_slots) {
     for (int copy = 0; copy < (slot.history ? 2 : 1); ++copy) {
-      slot.buffers[copy] = cl::Buffer(context, CL_MEM_READ_WRITE, slot.bytes);
+      slot.buffers[copy] = allocate(context, slot.bytes, joinedNames(slot.names));
       // Margins must hold finite numbers: they are loaded along with their neighbours and then masked out.
       queue.enqueueFillBuffer(slot.buffers[copy], cl_uchar(0), 0, slot.bytes);
     }
@@ -114,10 +130,8 @@ const cl::Buffer& BufferSet::get(const std::string& name, int parity) const {
 MemoryUse BufferSet::memoryUse() const {
   MemoryUse use;
   for (const Slot& slot : m_slots) {
-    std::string name;
-    for (const std::string& part : slot.names) name += (name.empty() ? "" : " + ") + part;
     const std::size_t bytes = slot.bytes * (slot.history ? 2 : 1);
-    use.buffers.push_back({name, bytes});
+    use.buffers.push_back({joinedNames(slot.names), bytes});
     use.totalBytes += bytes;
   }
   return use;

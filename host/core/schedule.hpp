@@ -64,7 +64,7 @@ std::size_t elementBytes(Element element);
 class BufferSet {
  public:
   BufferSet() = default;
-  /// Allocates and fills with zeros (blocks). Throws cl::Error.
+  /// Allocates and fills with zeros (blocks). Throws Error(OutOfMemory) naming the buffer.
   BufferSet(const cl::Context& context, const cl::CommandQueue& queue, const Schedule& schedule, Size size);
 
   /// The buffer of this name in the frame of this parity; "<name>.prev" gives the history of the frame

@@ -80,7 +80,8 @@ class FrameRun {
 
  private:
   static void setArgument(cl::Kernel& kernel, cl_uint index, const ImageView& view) {
-    kernel.setArg(index, sizeof(cl_mem), &view.memory);
+    const cl_mem memory = view.present() ? view.memory : nullptr;
+    kernel.setArg(index, sizeof(cl_mem), &memory);
   }
   static void setArgument(cl::Kernel& kernel, cl_uint index, const cl::Buffer& buffer) {
     kernel.setArg(index, buffer);

@@ -13,10 +13,14 @@
 namespace quell {
 namespace {
 
-constexpr char kFunction[] = "denoise";
+// The functions that the caller called.
+constexpr char kPrepare[] = "prepare";
+constexpr char kDenoise[] = "denoise";
 // Largest width or height in pixels, and most pixels: indices of seven planes must stay below 2^31.
 constexpr int kMostExtent = 32768;
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 27;
+// Kernels count the components of a caller's image in 32 bits.
+constexpr std::size_t kMostComponents = std::numeric_limits<std::int32_t>::max();
 
 struct NamedView {
   const char* name;
@@ -38,9 +42,9 @@ std::array<NamedView, 9> namedViews(const Frame& frame, const Output& output) {
            {"output.display", &output.display, 3, 4, true}}};
 }
 
-[[noreturn]] void refuse(ErrorCode code, const std::string& buffer, const std::string& expected,
-                         const std::string& got) {
-  throw Error(code, {kFunction, buffer, expected, got});
+[[noreturn]] void refuse(const char* function, ErrorCode code, const std::string& buffer,
+                         const std::string& expected, const std::string& got) {
+  throw Error(code, {function, buffer, expected, got});
 }
 
 std::string sizeText(Size size) {
@@ -50,24 +54,30 @@ std::string sizeText(Size size) {
 void checkSize(Size size) {
   if (size.width < 1 || size.height < 1 || size.width > kMostExtent || size.height > kMostExtent ||
       std::int64_t{size.width} * size.height > kMostPixels) {
-    refuse(ErrorCode::InvalidArgument, "size",
+    refuse(kPrepare, ErrorCode::InvalidArgument, "size",
            "1x1 to " + std::to_string(kMostExtent) + "x" + std::to_string(kMostExtent) + " and at most " +
                std::to_string(kMostPixels) + " pixels",
            sizeText(size));
   }
 }
 
-void checkView(const NamedView& named, Size size) {
+void checkView(const char* function, const NamedView& named, Size size) {
   const ImageView& view = *named.view;
   if (!view.present()) return;
   const auto invalid = [&](const std::string& expected, const std::string& got) {
-    refuse(ErrorCode::InvalidArgument, named.name, expected, got);
+    refuse(function, ErrorCode::InvalidArgument, named.name, expected, got);
   };
   if (view.channels < named.leastChannels || view.channels > named.mostChannels) {
     invalid(std::to_string(named.leastChannels) + " to " + std::to_string(named.mostChannels) + " channels",
             std::to_string(view.channels));
   }
   const std::size_t component = view.componentBytes();
+  // Far above what fits below, and low enough that no sum or product here overflows.
+  const std::size_t most = kMostComponents * component;
+  for (const std::size_t bytes : {view.offsetBytes, view.pixelStrideBytes, view.rowPitchBytes})
+    if (bytes > most)
+      invalid("offset, pixel stride and row pitch up to " + std::to_string(most) + " bytes",
+              std::to_string(bytes));
   const std::size_t pixelBytes = component * static_cast<std::size_t>(view.channels);
   if (view.offsetBytes % component != 0)
     invalid("an offset in multiples of " + std::to_string(component) + " bytes",
@@ -83,8 +93,7 @@ void checkView(const NamedView& named, Size size) {
                 std::to_string(component),
             std::to_string(view.rowPitch(size.width)));
   }
-  if (view.requiredBytes(size) / component >
-      static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+  if (view.requiredBytes(size) / component > kMostComponents)
     invalid("fewer than 2^31 components up to the last pixel",
             std::to_string(view.requiredBytes(size) / component));
 }
@@ -109,7 +118,7 @@ Value memoryInfo(const NamedView& named, cl_mem_info what) {
   Value value{};
   const cl_int status = clGetMemObjectInfo(named.view->memory, what, sizeof(value), &value, nullptr);
   if (status != CL_SUCCESS)
-    refuse(ErrorCode::InvalidArgument, named.name, "a valid buffer object", clErrorName(status));
+    refuse(kDenoise, ErrorCode::InvalidArgument, named.name, "a valid buffer object", clErrorName(status));
   return value;
 }
 
@@ -117,34 +126,37 @@ Value memoryInfo(const NamedView& named, cl_mem_info what) {
 
 void checkLayout(const Frame& frame, const Output& output) {
   checkSize(frame.size);
-  for (const NamedView& named : namedViews(frame, output)) checkView(named, frame.size);
-  if (!frame.radiance.present()) refuse(ErrorCode::InvalidArgument, "radiance", "an image", "none");
-  if (!frame.normalWorld.present()) refuse(ErrorCode::InvalidArgument, "normalWorld", "an image", "none");
+  for (const NamedView& named : namedViews(frame, output)) checkView(kPrepare, named, frame.size);
+  if (!frame.radiance.present()) refuse(kPrepare, ErrorCode::InvalidArgument, "radiance", "an image", "none");
+  if (!frame.normalWorld.present())
+    refuse(kPrepare, ErrorCode::InvalidArgument, "normalWorld", "an image", "none");
   if (frame.positionWorld.present() == frame.viewDepth.present()) {
-    refuse(ErrorCode::InvalidArgument, "positionWorld", "either positionWorld or viewDepth",
+    refuse(kPrepare, ErrorCode::InvalidArgument, "positionWorld", "either positionWorld or viewDepth",
            frame.positionWorld.present() ? "both" : "none");
   }
   if (frame.demodulated && frame.emission.present())
-    refuse(ErrorCode::InvalidArgument, "emission", "no emission with demodulated radiance", "an image");
+    refuse(kPrepare, ErrorCode::InvalidArgument, "emission", "no emission with demodulated radiance",
+           "an image");
   if (!output.linear.present() && !output.display.present())
-    refuse(ErrorCode::InvalidArgument, "output", "a linear or a display image", "none");
+    refuse(kPrepare, ErrorCode::InvalidArgument, "output", "a linear or a display image", "none");
 }
 
 void checkSameLayout(const Frame& prepared, const Output& preparedOutput, const Frame& frame,
                      const Output& output) {
   if (frame.size != prepared.size)
-    refuse(ErrorCode::NotPrepared, "size", sizeText(prepared.size) + ", as prepared", sizeText(frame.size));
+    refuse(kDenoise, ErrorCode::NotPrepared, "size", sizeText(prepared.size) + ", as prepared",
+           sizeText(frame.size));
   if (frame.demodulated != prepared.demodulated) {
-    refuse(ErrorCode::NotPrepared, "demodulated",
+    refuse(kDenoise, ErrorCode::NotPrepared, "demodulated",
            prepared.demodulated ? "true, as prepared" : "false, as prepared",
            frame.demodulated ? "true" : "false");
   }
   const auto before = namedViews(prepared, preparedOutput);
   const auto now = namedViews(frame, output);
   for (std::size_t i = 0; i < now.size(); ++i) {
-    checkView(now[i], frame.size);
+    checkView(kDenoise, now[i], frame.size);
     if (!sameLayout(*before[i].view, *now[i].view, frame.size.width)) {
-      refuse(ErrorCode::NotPrepared, now[i].name,
+      refuse(kDenoise, ErrorCode::NotPrepared, now[i].name,
              layoutText(*before[i].view, frame.size.width) + ", as prepared",
              layoutText(*now[i].view, frame.size.width));
     }
@@ -155,20 +167,22 @@ void checkMemory(const Frame& frame, const Output& output, cl_context context) {
   for (const NamedView& named : namedViews(frame, output)) {
     if (!named.view->present()) continue;
     if (named.view->memory == nullptr)
-      refuse(ErrorCode::InvalidArgument, named.name, "a buffer object", "null");
+      refuse(kDenoise, ErrorCode::InvalidArgument, named.name, "a buffer object", "null");
     if (memoryInfo<cl_mem_object_type>(named, CL_MEM_TYPE) != CL_MEM_OBJECT_BUFFER)
-      refuse(ErrorCode::InvalidArgument, named.name, "a buffer object", "another kind of memory object");
+      refuse(kDenoise, ErrorCode::InvalidArgument, named.name, "a buffer object",
+             "another kind of memory object");
     if (memoryInfo<cl_context>(named, CL_MEM_CONTEXT) != context)
-      refuse(ErrorCode::WrongContext, named.name, "a buffer of the denoiser's context",
+      refuse(kDenoise, ErrorCode::WrongContext, named.name, "a buffer of the denoiser's context",
              "one of another context");
     const cl_mem_flags unusable = named.output ? CL_MEM_READ_ONLY : CL_MEM_WRITE_ONLY;
     if ((memoryInfo<cl_mem_flags>(named, CL_MEM_FLAGS) & unusable) != 0) {
-      refuse(ErrorCode::InvalidArgument, named.name, named.output ? "a writable buffer" : "a readable buffer",
+      refuse(kDenoise, ErrorCode::InvalidArgument, named.name,
+             named.output ? "a writable buffer" : "a readable buffer",
              named.output ? "CL_MEM_READ_ONLY" : "CL_MEM_WRITE_ONLY");
     }
     const std::size_t bytes = memoryInfo<std::size_t>(named, CL_MEM_SIZE);
     if (bytes < named.view->requiredBytes(frame.size)) {
-      refuse(ErrorCode::InvalidArgument, named.name,
+      refuse(kDenoise, ErrorCode::InvalidArgument, named.name,
              "at least " + std::to_string(named.view->requiredBytes(frame.size)) + " bytes for " +
                  sizeText(frame.size),
              std::to_string(bytes) + " bytes");
@@ -180,7 +194,7 @@ void checkHalfPositions(const Frame& frame) {
   if (!frame.positionWorld.present() || frame.positionWorld.format != ComponentFormat::Float16) return;
   for (const double coordinate : cameraPositionWorld(frame.camera.worldToClip, "worldToClip")) {
     if (std::abs(coordinate) > kHalfPositionRange) {
-      refuse(ErrorCode::OutOfRange, "positionWorld",
+      refuse(kDenoise, ErrorCode::OutOfRange, "positionWorld",
              "float positions, or a camera within " + std::to_string(kHalfPositionRange) +
                  " units of the world origin for half positions",
              "a camera coordinate of " + std::to_string(coordinate));

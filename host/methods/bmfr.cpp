@@ -1,8 +1,13 @@
 #include "host/methods/bmfr.hpp"
 
+#include <quell/error.hpp>
+
 #include "host/stages/accumulate_filtered.hpp"
 #include "host/stages/accumulate_noisy.hpp"
+#include "host/stages/blended_sum.hpp"
 #include "host/stages/fit.hpp"
+#include "host/stages/gram_solve.hpp"
+#include "host/stages/gram_sums.hpp"
 #include "host/stages/remodulate.hpp"
 #include "host/stages/temporal_antialiasing.hpp"
 #include "host/stages/tone_map.hpp"
@@ -68,6 +73,33 @@ std::vector<SettingDescription> settings() {
        "amplitude of the stochastic regularisation",
        "Koskela et al. 2019, phase II",
        {}},
+      {"solver",
+       Kind::Choice,
+       0.0,
+       0.0,
+       1.0,
+       "",
+       "how the least-squares problem is solved: QR of the pixels, or normal equations from sums over tiles",
+       "Koskela et al. 2019, phase II (householder)",
+       {"householder", "gram"}},
+      {"windows",
+       Kind::Choice,
+       0.0,
+       0.0,
+       1.0,
+       "",
+       "what is fitted: displaced 32x32 blocks, or overlapping windows of 3x3 tiles, blended (gram only)",
+       "Koskela et al. 2019, phase II (blocks)",
+       {"blocks", "overlap"}},
+      {"tileSize",
+       Kind::Choice,
+       0.0,
+       0.0,
+       1.0,
+       "pixels",
+       "edge of a tile of overlapping windows",
+       "measured, see README",
+       {"8", "16"}},
       {"featureStorage",
        Kind::Choice,
        0.0,
@@ -108,9 +140,22 @@ BufferSpec elements(const std::string& name, std::size_t count) {
   return {name, Element::Float32, 0, count, false};
 }
 
+GramWindows makeWindows(const Settings& s) {
+  GramWindows windows;
+  windows.overlap = s.text("windows") == "overlap";
+  if (windows.overlap) windows.tileEdge = std::stoi(s.text("tileSize"));
+  if (windows.overlap && s.text("solver") != "gram") {
+    throw Error(ErrorCode::InvalidArgument,
+                {"settings", "windows", "blocks with the householder solver", s.text("windows")});
+  }
+  return windows;
+}
+
 Schedule makeSchedule(const Configuration& configuration) {
   const Settings& s = configuration.settings;
   const auto storage = static_cast<FeatureStorage>(static_cast<int>(s.get("featureStorage")));
+  const bool gram = s.text("solver") == "gram";
+  const GramWindows windows = makeWindows(s);
   const bool display = configuration.output.display.present();
   const bool taa = display && s.isOn("taa");
   const Size size = configuration.size();
@@ -126,7 +171,8 @@ Schedule makeSchedule(const Configuration& configuration) {
       transient("fitted", Element::Float32, 3),
       transient("linear", Element::Float32, 3),
       transient("encoded", Element::Float32, 3),
-      elements("fitRecords", Fit::recordElements(size)),
+      elements("fitRecords", gram ? gramRecordElements(windows, size) : Fit::recordElements(size)),
+      elements("gramTiles", gramTileElements(windows, size)),
       elements("fitStorage", Fit::storageElements(size, storage)),
   };
   if (taa) schedule.buffers.push_back(history("antialiased", Element::Float32, 3));
@@ -139,12 +185,27 @@ Schedule makeSchedule(const Configuration& configuration) {
   add(std::make_unique<AccumulateNoisy>(s.get("noisyLeastWeight")),
       {"irradiance.prev", "historyLength.prev", "guides.prev"},
       {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});
-  add(std::make_unique<Fit>(s.get("noiseAmplitude"), storage),
-      {"irradiance", "guides"},
-      {"fitRecords", "fitStorage"});
-  add(std::make_unique<WeightedSum>(),
-      {"fitRecords", "guides"},
-      {"fitted"});
+  if (gram) {
+    add(std::make_unique<GramSums>(windows),
+        {"irradiance", "guides"},
+        {"gramTiles"});
+    add(std::make_unique<GramSolve>(windows, s.get("noiseAmplitude")),
+        {"gramTiles"},
+        {"fitRecords"});
+  } else {
+    add(std::make_unique<Fit>(s.get("noiseAmplitude"), storage),
+        {"irradiance", "guides"},
+        {"fitRecords", "fitStorage"});
+  }
+  if (windows.overlap) {
+    add(std::make_unique<BlendedSum>(windows),
+        {"fitRecords", "guides"},
+        {"fitted"});
+  } else {
+    add(std::make_unique<WeightedSum>(),
+        {"fitRecords", "guides"},
+        {"fitted"});
+  }
   add(std::make_unique<AccumulateFiltered>(s.get("filteredLeastWeight")),
       {"fitted", "filtered.prev", "pixelPrev", "reprojectionMask", "historyLength"},
       {"filtered"});

@@ -63,9 +63,9 @@ QUELL_INLINE float3L demodulate(float3L signal, float3L factor, floatL* weight) 
   const floatL total = share.x + share.y + share.z;
   const floatL grey = dot3(irradiance, share) / (total > 0.0f ? total : ONE_LANES);
   const floatL inverseBest = 1.0f / (best > 0.0f ? best : ONE_LANES);
-  irradiance.x = grey + (irradiance.x - grey) * share.x * inverseBest;
-  irradiance.y = grey + (irradiance.y - grey) * share.y * inverseBest;
-  irradiance.z = grey + (irradiance.z - grey) * share.z * inverseBest;
+  irradiance.x = irradiance.x * (share.x * inverseBest) + grey * (1.0f - share.x * inverseBest);
+  irradiance.y = irradiance.y * (share.y * inverseBest) + grey * (1.0f - share.y * inverseBest);
+  irradiance.z = irradiance.z * (share.z * inverseBest) + grey * (1.0f - share.z * inverseBest);
   *weight = best;
   return irradiance;
 }

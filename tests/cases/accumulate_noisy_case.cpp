@@ -103,11 +103,10 @@ Comparison AccumulateNoisyCase::compare() {
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
   const auto* excluded = &exact.undecided;
-  comparePixels(comparison, "irradiance", device.irradiance, exact.outputs.irradiance, 1.0, excluded);
-  comparePixels(comparison, "historyLength", device.historyLength, exact.outputs.historyLength, 1.0,
-                excluded);
-  comparePixels(comparison, "guides", device.guides, exact.outputs.guides, 1.0, excluded);
-  comparePixels(comparison, "reprojectionMask", device.reprojectionMask, exact.outputs.reprojectionMask, 1.0,
+  comparePixels(comparison, "irradiance", device.irradiance, exact.outputs.irradiance, excluded);
+  comparePixels(comparison, "historyLength", device.historyLength, exact.outputs.historyLength, excluded);
+  comparePixels(comparison, "guides", device.guides, exact.outputs.guides, excluded);
+  comparePixels(comparison, "reprojectionMask", device.reprojectionMask, exact.outputs.reprojectionMask,
                 excluded);
   comparePixelPrev(comparison, device.pixelPrev, exact.outputs.pixelPrev, exact.undecided);
   return comparison;

@@ -9,12 +9,12 @@ namespace quell::tests {
 
 /// Predictions at the block's pixels, relative to the block's brightest irradiance. The matrix [T + N] has a
 /// condition of about 200 where a feature is constant and only noise keeps it independent; Householder QR in
-/// float loses that factor times 1e-7, and some more in 1024-term sums.
-constexpr double kFitTolerance = 1e-4;
+/// float loses that factor times the rounding of 6e-8.
+constexpr double kFitTolerance = 1e-5;
 /// The same with the columns stored as halves: every step of the factorisation rounds them to 11 bits.
-constexpr double kFitHalfTolerance = 0.05;
+constexpr double kFitHalfTolerance = 0.005;
 /// Coefficients, relative to the largest of their channel, where the condition is below kFitWellConditioned.
-constexpr double kFitCoefficientTolerance = 1e-4;
+constexpr double kFitCoefficientTolerance = 1e-5;
 constexpr double kFitWellConditioned = 100.0;
 
 class FitCase : public StageCase {

@@ -34,8 +34,8 @@ Comparison RemodulateCase::compare() {
   const RemodulateExact exact = remodulateOracle(inputs);
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
-  comparePixels(comparison, "linear", linear(), exact.linear, 1.0, &exact.undecided);
-  compareOutput(comparison, m_harness, &Output::linear, exact.linear, 1.0, &exact.undecided);
+  comparePixels(comparison, "linear", linear(), exact.linear, &exact.undecided, &exact.magnitude);
+  compareOutput(comparison, m_harness, &Output::linear, exact.linear, &exact.undecided, &exact.magnitude);
   return comparison;
 }
 

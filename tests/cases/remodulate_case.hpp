@@ -6,9 +6,9 @@
 
 namespace quell::tests {
 
-/// Relative to the brightest channel of the pixel: about ten float operations, the smoothstep the longest of
-/// them.
-constexpr double kRemodulateTolerance = 2e-6;
+/// Relative to the largest of the terms that are blended and added: about ten float operations, the
+/// smoothstep the longest of them.
+constexpr double kRemodulateTolerance = 1e-6;
 
 class RemodulateCase : public StageCase {
  public:

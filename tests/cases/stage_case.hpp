@@ -60,9 +60,9 @@ double storageError(const ImageLayout& layout);
 StageSetup makeSetup(const CaseOptions& options);
 
 /// Compares one of the caller's images with the planes that it should hold: a fourth component must be 1 and
-/// bytes that belong to no component untouched. `leastScale` as in comparePixels().
+/// bytes that belong to no component untouched. The last arguments are those of comparePixels().
 void compareOutput(Comparison& comparison, const StageHarness& harness, ImageView Output::*image,
-                   const ExactPlanes& exact, double leastScale = 1.0,
-                   const BasicPlanes<char>* excluded = nullptr);
+                   const ExactPlanes& exact, const BasicPlanes<char>* excluded = nullptr,
+                   const ExactPlanes* scales = nullptr);
 
 }  // namespace quell::tests

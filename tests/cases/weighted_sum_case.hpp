@@ -7,7 +7,7 @@
 namespace quell::tests {
 
 /// Relative to the sum of the magnitudes of the ten terms, which may cancel.
-constexpr double kWeightedSumTolerance = 2e-6;
+constexpr double kWeightedSumTolerance = 1e-6;
 
 class WeightedSumCase : public StageCase {
  public:

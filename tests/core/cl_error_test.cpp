@@ -8,7 +8,8 @@ namespace quell::tests {
 
 TEST_CASE("OpenCL errors are named", "[core]") {
   CHECK(clErrorName(CL_INVALID_MEM_OBJECT) == "CL_INVALID_MEM_OBJECT");
-  CHECK(clErrorName(CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST) == "CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST");
+  CHECK(clErrorName(CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST) ==
+        "CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST");
   CHECK(clErrorName(-9999) == "OpenCL error -9999");
 }
 
@@ -22,7 +23,8 @@ TEST_CASE("codes that mean lack of memory become OutOfMemory, others DeviceError
   CHECK(error.buffer() == "guides");
   CHECK(error.expected() == "clCall to succeed");
   CHECK(error.got() == "CL_INVALID_KERNEL_ARGS");
-  CHECK(error.what() == std::string("DeviceError in fit, guides: expected clCall to succeed, got CL_INVALID_KERNEL_ARGS"));
+  CHECK(error.what() ==
+        std::string("DeviceError in fit, guides: expected clCall to succeed, got CL_INVALID_KERNEL_ARGS"));
 }
 
 TEST_CASE("withClErrors turns exceptions of clhpp and of the allocator into Errors", "[core]") {

@@ -18,7 +18,8 @@ TEST_CASE("in-order and out-of-order queues give bit-identical pictures", "[core
 
 TEST_CASE("frames may be in flight together", "[core]") {
   for (const cl_command_queue_properties properties :
-       {cl_command_queue_properties{0}, cl_command_queue_properties{CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE}}) {
+       {cl_command_queue_properties{0},
+        cl_command_queue_properties{CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE}}) {
     SmallDenoiser oneByOne, together({}, testOptions(), properties);
     for (int i = 0; i < kLastFrame; ++i) oneByOne.enqueue().wait();
     Event last;
@@ -30,7 +31,8 @@ TEST_CASE("frames may be in flight together", "[core]") {
 
 TEST_CASE("nothing runs before the wait list has completed and denoise() does not wait for it", "[core]") {
   for (const cl_command_queue_properties properties :
-       {cl_command_queue_properties{0}, cl_command_queue_properties{CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE}}) {
+       {cl_command_queue_properties{0},
+        cl_command_queue_properties{CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE}}) {
     SmallDenoiser small({}, testOptions(), properties);
     const Picture expected = small.run(0);
     small.denoiser.resetHistory();

@@ -16,7 +16,8 @@ TEST_CASE("devices are listed with an index and what is needed to tell them apar
     CHECK(info.index == static_cast<int>(i));
     CHECK(info.platform != nullptr);
     CHECK(info.device != nullptr);
-    for (const std::string& text : {info.name, info.platformName, info.version, info.driverVersion, info.type})
+    for (const std::string& text :
+         {info.name, info.platformName, info.version, info.driverVersion, info.type})
       CHECK_FALSE(text.empty());
     CHECK(info.computeUnits > 0);
     CHECK(info.globalMemoryBytes > 0);
@@ -26,7 +27,8 @@ TEST_CASE("devices are listed with an index and what is needed to tell them apar
 }
 
 TEST_CASE("a device is chosen by index", "[core]") {
-  for (const DeviceInfo& info : listDevices()) CHECK(chooseDevice(std::to_string(info.index)).device == info.device);
+  for (const DeviceInfo& info : listDevices())
+    CHECK(chooseDevice(std::to_string(info.index)).device == info.device);
 }
 
 TEST_CASE("a device is chosen by part of its name or its platform's, in any case", "[core]") {
@@ -54,7 +56,8 @@ TEST_CASE("without a wish a GPU comes before an accelerator before a CPU", "[cor
 TEST_CASE("an unknown device is refused with a list of those there are", "[core]") {
   const DeviceInfo first = listDevices().front();
   for (const char* spec : {"no such device", "9999", "-1"})
-    REQUIRE_THROWS_MATCHES(chooseDevice(spec), Error, failsWith(ErrorCode::NoDevice, {spec, "0: " + first.name}));
+    REQUIRE_THROWS_MATCHES(chooseDevice(spec), Error,
+                           failsWith(ErrorCode::NoDevice, {spec, "0: " + first.name}));
 }
 
 }  // namespace quell::tests

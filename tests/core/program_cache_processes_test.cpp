@@ -46,8 +46,8 @@ TEST_CASE("child: build programs in a shared cache directory", "[.][child]") {
 TEST_CASE("two processes may start together on one cold cache directory", "[core]") {
   const TemporaryDirectory directory;
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string command = std::string(kDirectoryVariable) + "='" + directory.path() + "' '" + self + "' '" +
-                              kChildTag + "' >/dev/null";
+  const std::string command = std::string(kDirectoryVariable) + "='" + directory.path() + "' '" + self +
+                              "' '" + kChildTag + "' >/dev/null";
   std::array<std::FILE*, 2> children{};
   for (std::FILE*& child : children) REQUIRE((child = popen(command.c_str(), "r")) != nullptr);
   for (std::FILE* child : children) CHECK(pclose(child) == 0);

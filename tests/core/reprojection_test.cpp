@@ -27,14 +27,16 @@ Vector add(const Vector& a, const Vector& b) {
 
 // Columns of a matrix from its rows; the camera stands at `origin`.
 Matrix4 fromRows(const Vector& x, const Vector& y, const Vector& w, const Vector& origin) {
-  return {x[0], x[1], x[2], -dot(x, origin), y[0], y[1], y[2], -dot(y, origin), 0, 0, 0, 0, w[0], w[1], w[2], -dot(w, origin)};
+  return {x[0], x[1], x[2], -dot(x, origin), y[0], y[1], y[2], -dot(y, origin), 0, 0, 0, 0,
+          w[0], w[1], w[2], -dot(w, origin)};
 }
 
 // A camera that looks along -z, turned by `yaw` to the left; vertical half field of view atan(1 / 1.5).
 Matrix4 perspective(const Vector& origin, double yaw = 0.0, double wScale = 1.0) {
   const double c = std::cos(yaw), s = std::sin(yaw), focal = 1.5 * wScale;
   const double aspect = double(kSize.width) / kSize.height;
-  return fromRows({c * focal / aspect, 0, -s * focal / aspect}, {0, focal, 0}, {-s * wScale, 0, -c * wScale}, origin);
+  return fromRows({c * focal / aspect, 0, -s * focal / aspect}, {0, focal, 0}, {-s * wScale, 0, -c * wScale},
+                  origin);
 }
 
 Matrix4 orthographic(const Vector& origin, double halfHeight) {
@@ -78,9 +80,10 @@ std::array<double, 2> pixelPrev(const ReprojectionParams& params, const Vector& 
   return {affine(params.pixelXPrev, p) / w, affine(params.pixelYPrev, p) / w};
 }
 
-// Rounded to float, as a caller's position buffer holds it.
+// Rounded to float, as a caller's position buffer holds it. Volatile: see roundedToFloat in reprojection.cpp.
 Vector rounded(const Vector& p) {
-  return {double(float(p[0])), double(float(p[1])), double(float(p[2]))};
+  const volatile float values[] = {float(p[0]), float(p[1]), float(p[2])};
+  return {values[0], values[1], values[2]};
 }
 
 ReprojectionParams paramsOf(const Camera& camera) {
@@ -105,7 +108,8 @@ TEST_CASE("a camera that stands still sends every pixel to itself", "[core]") {
   camera.worldToClipPrev = camera.worldToClip;
   const ReprojectionParams params = paramsOf(camera);
   CHECK(params.historyValid == 1);
-  for (const float motion : {params.cameraMotion.x, params.cameraMotion.y, params.cameraMotion.z}) CHECK(motion == 0.0f);
+  for (const float motion : {params.cameraMotion.x, params.cameraMotion.y, params.cameraMotion.z})
+    CHECK(motion == 0.0f);
   for (const int x : {0, 1, 640, 1279}) {
     for (const int y : {0, 359, 719}) {
       for (const float depth : {0.1f, 3.0f, 1000.0f}) {
@@ -169,7 +173,8 @@ TEST_CASE("a camera far from the origin loses nothing to float", "[core]") {
   camera.worldToClipPrev = perspective(far, 0.015);
   const ReprojectionParams params = paramsOf(camera);
   const Vector origin = add(far, {0.013, 0.027, 0.041});
-  const double recovered[] = {double(params.cameraHigh.x) + params.cameraLow.x, double(params.cameraHigh.y) + params.cameraLow.y,
+  const double recovered[] = {double(params.cameraHigh.x) + params.cameraLow.x,
+                              double(params.cameraHigh.y) + params.cameraLow.y,
                               double(params.cameraHigh.z) + params.cameraLow.z};
   for (std::size_t axis = 0; axis < 3; ++axis) CHECK(std::abs(recovered[axis] - origin[axis]) < 1e-7);
   CHECK(std::abs(params.cameraMotion.x + 0.013) < 1e-7);
@@ -218,7 +223,8 @@ TEST_CASE("without history the camera before is not looked at", "[core]") {
   camera.jitterPxPrev = {7.0, std::numeric_limits<double>::quiet_NaN()};
   const ReprojectionParams params = makeReprojectionParams(camera, kSize, {}, false);
   CHECK(params.historyValid == 0);
-  for (const float value : {params.pixelXPrev.x, params.pixelYPrev.y, params.clipWPrev.z, params.cameraMotion.x})
+  for (const float value :
+       {params.pixelXPrev.x, params.pixelYPrev.y, params.clipWPrev.z, params.cameraMotion.x})
     CHECK(value == 0.0f);
 }
 
@@ -237,8 +243,9 @@ TEST_CASE("a matrix that is no camera is refused by name", "[core]") {
       for (const double value : {nan, std::numeric_limits<double>::infinity()}) {
         Camera camera = good;
         (camera.*spoiled.matrix)[element] = value;
-        REQUIRE_THROWS_MATCHES(paramsOf(camera), Error,
-                               failsWith(ErrorCode::InvalidArgument, {std::string(spoiled.name) + ":", "finite"}));
+        REQUIRE_THROWS_MATCHES(
+            paramsOf(camera), Error,
+            failsWith(ErrorCode::InvalidArgument, {std::string(spoiled.name) + ":", "finite"}));
       }
     }
     Camera camera = good;
@@ -247,8 +254,9 @@ TEST_CASE("a matrix that is no camera is refused by name", "[core]") {
                            failsWith(ErrorCode::InvalidArgument, {std::string(spoiled.name) + ":"}));
     camera = good;
     for (std::size_t i = 0; i < 4; ++i) (camera.*spoiled.matrix)[4 + i] = 2.0 * (camera.*spoiled.matrix)[i];
-    REQUIRE_THROWS_MATCHES(paramsOf(camera), Error,
-                           failsWith(ErrorCode::InvalidArgument, {std::string(spoiled.name) + ":", "singular"}));
+    REQUIRE_THROWS_MATCHES(
+        paramsOf(camera), Error,
+        failsWith(ErrorCode::InvalidArgument, {std::string(spoiled.name) + ":", "singular"}));
   }
 }
 

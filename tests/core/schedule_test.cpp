@@ -87,7 +87,8 @@ TEST_CASE("a buffer never moves into memory that is too small for it", "[core]")
   const BufferSet buffers = allocate(schedule);
   for (const BufferSpec& spec : schedule.buffers) {
     INFO(spec.name);
-    CHECK(buffers.get(spec.name, 0).getInfo<CL_MEM_SIZE>() >= elementCount(spec, kSize) * elementBytes(spec.element));
+    CHECK(buffers.get(spec.name, 0).getInfo<CL_MEM_SIZE>() >=
+          elementCount(spec, kSize) * elementBytes(spec.element));
   }
 }
 

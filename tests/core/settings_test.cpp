@@ -19,7 +19,8 @@ TEST_CASE("settings start at documented defaults that are within their own range
       CHECK(setting.defaultValue <= setting.maximum);
       CHECK_FALSE(setting.description.empty());
       CHECK_FALSE(setting.source.empty());
-      if (setting.kind == SettingKind::Choice) CHECK(setting.choices.size() == std::size_t(setting.maximum) + 1);
+      if (setting.kind == SettingKind::Choice)
+        CHECK(setting.choices.size() == std::size_t(setting.maximum) + 1);
       CHECK_NOTHROW(settings.set(setting.name, setting.minimum));
       CHECK_NOTHROW(settings.set(setting.name, setting.maximum));
     }
@@ -64,7 +65,8 @@ TEST_CASE("switches take on, off, true, false, 1 and 0", "[core]") {
     CHECK_FALSE(settings.isOn("taa"));
     CHECK(settings.text("taa") == "off");
   }
-  REQUIRE_THROWS_MATCHES(settings.set("taa", 0.5), Error, failsWith(ErrorCode::OutOfRange, {"taa", "on or off", "0.5"}));
+  REQUIRE_THROWS_MATCHES(settings.set("taa", 0.5), Error,
+                         failsWith(ErrorCode::OutOfRange, {"taa", "on or off", "0.5"}));
   REQUIRE_THROWS_MATCHES(settings.set("taa", "maybe"), Error,
                          failsWith(ErrorCode::OutOfRange, {"taa", "on or off", "maybe"}));
 }
@@ -83,12 +85,14 @@ TEST_CASE("choices are taken by name", "[core]") {
 
 TEST_CASE("an unknown name is refused with the names there are", "[core]") {
   Settings settings;
-  const auto refusal = failsWith(ErrorCode::UnknownSetting, {"taaWeight", "bmfr", "noisyLeastWeight", "taaNewestWeight"});
+  const auto refusal =
+      failsWith(ErrorCode::UnknownSetting, {"taaWeight", "bmfr", "noisyLeastWeight", "taaNewestWeight"});
   REQUIRE_THROWS_MATCHES(settings.set("taaWeight", 0.5), Error, refusal);
   REQUIRE_THROWS_MATCHES(settings.set("taaWeight", "0.5"), Error, refusal);
   REQUIRE_THROWS_MATCHES(settings.get("taaWeight"), Error, refusal);
   REQUIRE_THROWS_MATCHES(settings.text("taaWeight"), Error, refusal);
-  REQUIRE_THROWS_MATCHES(Settings("svdf"), Error, failsWith(ErrorCode::UnknownSetting, {"method", "bmfr", "svdf"}));
+  REQUIRE_THROWS_MATCHES(Settings("svdf"), Error,
+                         failsWith(ErrorCode::UnknownSetting, {"method", "bmfr", "svdf"}));
   REQUIRE_THROWS_MATCHES(methodSummary(""), Error, failsWith(ErrorCode::UnknownSetting, {"bmfr"}));
 }
 

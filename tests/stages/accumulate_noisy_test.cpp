@@ -69,23 +69,27 @@ TEST_CASE("accumulate_noisy does not depend on the work-group") {
   checkWorkGroups(maker(), {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});
 }
 
-TEST_CASE("accumulate_noisy without a frame before is the plain sample") {
-  CaseOptions options;
-  options.size = {61, 40};
-  AccumulateNoisyCase noisy(options, kPlain);
-  noisy.useReprojection(makeReprojection({}, {}, options.size, false));
-  noisy.upload();
-  noisy.run();
-  const auto outputs = noisy.outputs();
-  forEachPixel(options.size, [&](int x, int y) {
-    const bool surface = isSurface(outputs.guides, x, y);
-    CHECK(outputs.reprojectionMask.at(0, x, y) == 0.0f);
-    CHECK(outputs.historyLength.at(0, x, y) == (surface ? 1.0f : 0.0f));
-    for (int c = 0; c < 3; ++c) {
-      const double expected = surface ? noisy.inputs.material.radiance.at(x, y, c) : 0.0;
-      CHECK(outputs.irradiance.at(c, x, y) == Approx(expected).margin(8.0 * kAccumulateNoisyTolerance));
-    }
-  });
+TEST_CASE("accumulate_noisy without history is the plain sample") {
+  for (const bool frameBefore : {false, true}) {
+    CaseOptions options;
+    options.size = {61, 40};
+    AccumulateNoisyCase noisy(options, kPlain);
+    noisy.useReprojection(makeReprojection({}, {}, options.size, frameBefore));
+    forEachPixel(options.size,
+                 [&](int x, int y) { noisy.inputs.guidesPrev.at(QUELL_GUIDE_WEIGHT, x, y) = 0.0f; });
+    noisy.upload();
+    noisy.run();
+    const auto outputs = noisy.outputs();
+    forEachPixel(options.size, [&](int x, int y) {
+      const bool surface = isSurface(outputs.guides, x, y);
+      CHECK(outputs.reprojectionMask.at(0, x, y) == (frameBefore ? float(QUELL_PREV_IN_FRAME) : 0.0f));
+      CHECK(outputs.historyLength.at(0, x, y) == (surface ? 1.0f : 0.0f));
+      for (int c = 0; c < 3; ++c) {
+        const double expected = surface ? noisy.inputs.material.radiance.at(x, y, c) : 0.0;
+        CHECK(outputs.irradiance.at(c, x, y) == Approx(expected).margin(8.0 * kAccumulateNoisyTolerance));
+      }
+    });
+  }
 }
 
 TEST_CASE("accumulate_noisy of a still camera lands on pixel centres") {

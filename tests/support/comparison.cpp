@@ -31,10 +31,10 @@ void Comparison::include(const Comparison& other) {
 }
 
 void comparePixels(Comparison& comparison, const std::string& what, const Planes& device,
-                   const ExactPlanes& exact, double leastScale, const BasicPlanes<char>* excluded) {
+                   const ExactPlanes& exact, const BasicPlanes<char>* excluded, const ExactPlanes* scales) {
   forEachPixel(exact.size(), [&](int x, int y) {
     if (excluded != nullptr && excluded->at(0, x, y)) return;
-    double scale = leastScale;
+    double scale = scales != nullptr ? std::max(1.0, scales->at(0, x, y)) : 1.0;
     for (int plane = 0; plane < exact.count; ++plane)
       scale = std::max(scale, std::abs(exact.at(plane, x, y)));
     for (int plane = 0; plane < exact.count; ++plane)

@@ -33,11 +33,11 @@ class Comparison {
   std::string m_worst = "no error";
 };
 
-/// Compares all values, the scale of a pixel being the largest magnitude of its components, at least
-/// `leastScale`.
+/// Compares all values, the scale of a pixel being the largest magnitude of its components, at least 1 and at
+/// least what `scales` says (1 plane).
 void comparePixels(Comparison& comparison, const std::string& what, const Planes& device,
-                   const ExactPlanes& exact, double leastScale = 1.0,
-                   const BasicPlanes<char>* excluded = nullptr);
+                   const ExactPlanes& exact, const BasicPlanes<char>* excluded = nullptr,
+                   const ExactPlanes* scales = nullptr);
 
 /// True if both have the same bits everywhere, `except` apart (pixels that are true there may differ).
 bool sameBits(const Planes& a, const Planes& b, const BasicPlanes<char>* except = nullptr);

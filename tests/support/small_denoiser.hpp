@@ -1,6 +1,7 @@
 // A denoiser with small images on a device of its own, for tests of the public API.
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -14,8 +15,8 @@
 
 namespace quell::tests {
 
-/// A context and a queue on the device that QUELL_TEST_DEVICE names (index or part of a name), by default on the
-/// one that quell::chooseDevice() prefers.
+/// A context and a queue on the device that QUELL_TEST_DEVICE names (index or part of a name), by default on
+/// the one that quell::chooseDevice() prefers.
 struct OpenDevice {
   explicit OpenDevice(cl_command_queue_properties properties = 0) : queue(context, device, properties) {}
 
@@ -134,7 +135,9 @@ class FrameBuffers {
   }
 
   void writeInput(const ImageView& view, const io::Image& image) {
-    write(view, m_roundToHalf ? asStored(image, packedImage(nullptr, image.channels, ComponentFormat::Float16)) : image);
+    write(view, m_roundToHalf
+                    ? asStored(image, packedImage(nullptr, image.channels, ComponentFormat::Float16))
+                    : image);
   }
 
   void write(const ImageView& view, const io::Image& image) {
@@ -192,8 +195,8 @@ class SmallDenoiser {
   Denoiser denoiser;
 };
 
-/// A user event that holds back what waits for it. Set to complete at the latest when it goes, so that a failing
-/// test does not hang.
+/// A user event that holds back what waits for it. Set to complete at the latest when it goes, so that a
+/// failing test does not hang.
 class Gate {
  public:
   explicit Gate(const cl::Context& context) : m_event(context) {}
@@ -215,6 +218,39 @@ class Gate {
   cl::UserEvent m_event;
   bool m_set = false;
 };
+
+/// What an Error must say: code, stage and buffer, and parts of what was expected and of what came.
+struct Refusal {
+  ErrorCode code = ErrorCode::InvalidArgument;
+  std::string stage;
+  std::string buffer;
+  std::string expected;
+  std::string got;
+};
+
+/// Fails the test unless the call throws an Error that says so.
+template <class Call>
+void checkRefused(const Refusal& refusal, Call&& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    INFO(error.what());
+    CHECK(toString(error.code()) == std::string(toString(refusal.code)));
+    CHECK(error.stage() == refusal.stage);
+    CHECK(error.buffer() == refusal.buffer);
+    CHECK_THAT(error.expected(), Catch::Contains(refusal.expected));
+    CHECK_THAT(error.got(), Catch::Contains(refusal.got));
+    return;
+  }
+  FAIL_CHECK("not refused; expected " << refusal.buffer << ": " << refusal.expected);
+}
+
+/// Fails the test unless the denoiser gives, after a reset, what an untouched one gives.
+inline void checkStillWorks(SmallDenoiser& small) {
+  static const Picture expected = SmallDenoiser().run(0, 1);
+  small.denoiser.resetHistory();
+  CHECK(small.run(0, 1) == expected);
+}
 
 /// Execution status of the event's command: CL_COMPLETE, CL_QUEUED... or negative.
 inline cl_int statusOf(const Event& event) {

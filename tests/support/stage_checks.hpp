@@ -68,14 +68,16 @@ inline void checkSizes(const CaseMaker& make) {
   }
 }
 
-/// These layouts at a size with whole and broken groups of lanes, both mappings.
+/// These layouts at a size with whole and broken groups of lanes. One pixel a work-item has one path for all
+/// layouts, so the first and the last will do there.
 inline void checkLayouts(const CaseMaker& make, const std::vector<ImageLayout>& layouts) {
   for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    for (const ImageLayout& layout : layouts) {
+    for (std::size_t i = 0; i < layouts.size(); ++i) {
+      if (mapping == Mapping::Narrow && i != 0 && i + 1 != layouts.size()) continue;
       CaseOptions options;
       options.size = {37, 5};
       options.mapping = mapping;
-      options.layout = layout;
+      options.layout = layouts[i];
       checkAgreement(*make(options), options);
     }
   }

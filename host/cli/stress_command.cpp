@@ -1,0 +1,109 @@
+// quell stress: how far the fits lie from the best ones on random blocks of known trouble.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <quell/error.hpp>
+#include <string>
+#include <vector>
+
+#include "host/cli/command_arguments.hpp"
+#include "host/cli/commands.hpp"
+#include "host/stress/stress_suite.hpp"
+
+namespace quell::cli {
+namespace {
+
+constexpr char kCommand[] = "stress";
+
+struct StressOptions {
+  std::uint64_t blocks = 1000;  // of each family
+  std::uint32_t seed = 1;
+  std::string family;  // part of a name
+  DeviceArguments device;
+};
+
+constexpr char kRowFormat[] = "{:<29} {:<4} {:<11} {:>15} {:>15} {:>10} {:>13} {:>13}  {}\n";
+
+void printHeader() {
+  fmt::print(kRowFormat, "", "", "", "worst excess", "worst predicted", "non-", "worst coeffi-",
+             "worst outside", "");
+  fmt::print(kRowFormat, "family", "class", "solver", "residual", "error", "finite", "cient error",
+             "the range", "bound");
+}
+
+void printRow(const stress::Family& family, stress::Solver solver, const stress::SolverFigures& figures) {
+  const bool well = family.posedness == stress::Posedness::Well;
+  const auto share = [](double value) { return fmt::format("{:.2e}", value); };
+  fmt::print(kRowFormat, family.name, well ? "well" : "ill", stress::solverName(solver),
+             share(figures.worst.excessResidual), share(figures.worst.prediction),
+             fmt::format("{:.2f} %", 100.0 * figures.nonFiniteShare()), share(figures.worst.coefficient),
+             share(figures.worst.outsideRange),
+             stress::withinBounds(figures, family.posedness) ? "kept" : "BROKEN");
+}
+
+void printLegend() {
+  fmt::print(
+      "\nExcess residual: energy above the least-squares minimum, per energy of the signal about its mean; "
+      "at "
+      "most {} in well-posed families.\nPredicted error, and distance outside the range of the data: per "
+      "range "
+      "of the channel; the latter at most {} in ill-posed families.\nCoefficient error: per largest "
+      "coefficient, where the features are well-conditioned.\n",
+      stress::kMostExcessResidual, stress::kMostOutsideRange);
+}
+
+std::vector<stress::Family> pickFamilies(const std::string& part) {
+  std::vector<stress::Family> picked;
+  for (const stress::Family& family : stress::families())
+    if (family.name.find(part) != std::string::npos) picked.push_back(family);
+  if (picked.empty()) refuse(kCommand, "--family", "part of the name of a family", part);
+  return picked;
+}
+
+/// Throws the exit code 1 if gram breaks a bound.
+void runStress(const StressOptions& options) {
+  const std::vector<stress::Family> picked = pickFamilies(options.family);
+  stress::FitterOptions fitterOptions;
+  fitterOptions.device = options.device.device;
+  fitterOptions.options = makeOptions(options.device, TimerMode::Off);
+  stress::BlockFitter fitter(fitterOptions);
+  fmt::print("{}, {} blocks a family, seed {}\n\n", fitter.deviceName(), options.blocks, options.seed);
+  printHeader();
+
+  const auto start = std::chrono::steady_clock::now();
+  std::uint64_t blocks = 0;
+  int broken = 0;
+  for (const stress::Family& family : picked) {
+    const stress::FamilyFigures figures = stress::runFamily(family, fitter, options.blocks, options.seed);
+    for (const stress::Solver solver : stress::kSolvers) printRow(family, solver, figures.of(solver));
+    std::fflush(stdout);
+    blocks += figures.gram.blocks;
+    broken += stress::withinBounds(figures.gram, family.posedness) ? 0 : 1;
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  printLegend();
+  fmt::print("{} blocks in {:.1f} s, {:.2f} s per 1000; gram breaks its bounds in {} of {} families\n",
+             blocks, wall.count(), 1000.0 * wall.count() / static_cast<double>(blocks), broken,
+             picked.size());
+  if (broken > 0) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void addStressCommand(CLI::App& app) {
+  auto options = std::make_shared<StressOptions>();
+  CLI::App* command = app.add_subcommand(
+      kCommand, "Compare the fits with double precision on random blocks; fails if gram breaks a bound");
+  command->add_option("--blocks", options->blocks, "Blocks of each family")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the random blocks")->capture_default_str();
+  command->add_option("--family", options->family, "Only families with this in their name");
+  addDeviceArguments(*command, options->device);
+  command->callback([options] { runStress(*options); });
+}
+
+}  // namespace quell::cli

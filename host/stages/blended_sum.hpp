@@ -1,0 +1,23 @@
+// Host side of the stage blended_sum.
+#pragma once
+
+#include "host/stages/gram_windows.hpp"
+
+namespace quell {
+
+/// See kernels/blended_sum.cl for what it computes, from what and after which paper.
+class BlendedSum : public Stage {
+ public:
+  explicit BlendedSum(const GramWindows& windows) : m_windows(windows) {}
+  std::string name() const override { return "blended_sum"; }
+  void build(const KernelBuilder& builder) override;
+  void enqueue(FrameRun& run) override;
+  std::uint64_t callerBytes(const Configuration&) const override { return 0; }
+
+ private:
+  GramWindows m_windows;
+  cl::Kernel m_kernel;
+  cl::NDRange m_workGroup;
+};
+
+}  // namespace quell

@@ -1,0 +1,37 @@
+#include "host/stages/gram_sums.hpp"
+
+#include <algorithm>
+
+namespace quell {
+namespace {
+
+// Work-items that share a tile on GPUs: enough for the 91 sums, one each.
+constexpr std::size_t kGpuGroup = 128;
+// Work-group of the mapping with a tile a work-item.
+constexpr std::size_t kTileGroup = 1;
+
+}  // namespace
+
+void GramSums::build(const KernelBuilder& builder) {
+  const Configuration& configuration = builder.configuration();
+  const int wish = configuration.options.fitGroup;
+  const bool wide = configuration.device.lanes > 1;
+  m_groupSize = wide ? 1 : wish > 1 ? static_cast<std::size_t>(wish) : kGpuGroup;
+  m_groupSize = std::min(m_groupSize, configuration.device.maxWorkGroup);
+  for (;; m_groupSize /= 2) {
+    m_kernel = builder.build("gram_sums", "-D GRAM_GROUP_SIZE=" + std::to_string(m_groupSize) +
+                                              " -D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge) +
+                                              " -D GRAM_MIRROR=" + (m_windows.overlap ? "0" : "1"));
+    if (m_groupSize == 1 || builder.maxWorkGroup(m_kernel) >= m_groupSize) break;
+  }
+}
+
+void GramSums::enqueue(FrameRun& run) {
+  const GramParams params = makeGramParams(m_windows, run.configuration.size(), run.frameIndex, 0.0);
+  const std::size_t tiles = static_cast<std::size_t>(params.tilesX) * static_cast<std::size_t>(params.tilesY);
+  const std::size_t group = m_groupSize > 1 ? m_groupSize : kTileGroup;
+  run.launch(m_kernel, {tiles * m_groupSize, 1}, cl::NDRange(group, 1), run.buffer("irradiance"),
+             run.buffer("guides"), run.buffer("gramTiles"), params);
+}
+
+}  // namespace quell

@@ -1,0 +1,23 @@
+// Host side of the stage gram_sums.
+#pragma once
+
+#include "host/stages/gram_windows.hpp"
+
+namespace quell {
+
+/// See kernels/gram_sums.cl for what it computes, from what and after which paper.
+class GramSums : public Stage {
+ public:
+  explicit GramSums(const GramWindows& windows) : m_windows(windows) {}
+  std::string name() const override { return "gram_sums"; }
+  void build(const KernelBuilder& builder) override;
+  void enqueue(FrameRun& run) override;
+  std::uint64_t callerBytes(const Configuration&) const override { return 0; }
+
+ private:
+  GramWindows m_windows;
+  std::size_t m_groupSize = 1;
+  cl::Kernel m_kernel;
+};
+
+}  // namespace quell

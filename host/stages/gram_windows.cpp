@@ -1,0 +1,46 @@
+#include "host/stages/gram_windows.hpp"
+
+#include "host/stages/fit.hpp"
+
+namespace quell {
+namespace {
+
+// One more than cover the image, for the displacement.
+int tilesAlong(int pixels, int edge) {
+  return (pixels + edge - 1) / edge + 1;
+}
+
+int tileCount(const GramParams& params) {
+  return params.tilesX * params.tilesY;
+}
+
+}  // namespace
+
+GramParams makeGramParams(const GramWindows& windows, Size size, std::uint32_t frameIndex,
+                          double noiseAmplitude) {
+  GramParams params{};
+  params.planes = makePlanes(size);
+  // Tiles follow the displacement of the blocks, so that no grid stands still while frames accumulate.
+  const FitParams blocks = makeFitParams(size, frameIndex, 0.0);
+  params.tileOffsetX = blocks.blockOffsetX % windows.tileEdge;
+  params.tileOffsetY = blocks.blockOffsetY % windows.tileEdge;
+  params.tilesX = tilesAlong(size.width, windows.tileEdge);
+  params.tilesY = tilesAlong(size.height, windows.tileEdge);
+  if (!windows.overlap) {
+    params.tileOffsetX = blocks.blockOffsetX;
+    params.tileOffsetY = blocks.blockOffsetY;
+  }
+  params.tileStride = tileCount(params);
+  params.noiseVariance = static_cast<float>(noiseAmplitude * noiseAmplitude / 3.0);
+  return params;
+}
+
+std::size_t gramTileElements(const GramWindows& windows, Size size) {
+  return static_cast<std::size_t>(tileCount(makeGramParams(windows, size, 0, 0.0))) * QUELL_GRAM_PLANES;
+}
+
+std::size_t gramRecordElements(const GramWindows& windows, Size size) {
+  return static_cast<std::size_t>(tileCount(makeGramParams(windows, size, 0, 0.0))) * QUELL_FIT_RECORD;
+}
+
+}  // namespace quell

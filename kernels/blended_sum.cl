@@ -1,0 +1,109 @@
+// blended_sum: evaluates the fits of overlapping windows with the noise-free features, blended between tile centres.
+// Paper:   Koskela et al. 2019, eq. (6) and its limitation 3 (block edges): the predictions of the four nearest
+//          windows are interpolated bilinearly, so that there is no edge to see, even without history.
+// In:      records of gram_solve (one a tile), guides of this frame. Out: fitted irradiance (3 planes), >= 0; 0 at
+//          background.
+// Grid:    work-items follow the cells between tile centres, in which all pixels see the same four windows: one
+//          work-item takes QUELL_LANES pixels of a cell (with sixteen lanes and tiles of 8: two rows of eight).
+#include "accumulate_noisy_params.h"
+#include "common/fit_features.h"
+#include "common/planes.h"
+#include "gram_params.h"
+
+#define ITEM_WIDTH (QUELL_LANES < GRAM_TILE_EDGE ? QUELL_LANES : GRAM_TILE_EDGE)
+#define ITEM_HEIGHT (QUELL_LANES / ITEM_WIDTH)
+#define ITEMS_PER_CELL_ROW (GRAM_TILE_EDGE / ITEM_WIDTH)
+
+#if QUELL_LANES == 16 && GRAM_TILE_EDGE == 8
+#define LANE_X ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7))
+#define LANE_Y ((int16)(0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1))
+QUELL_INLINE floatL loadItem(__global const float* plane, int pitch) {
+  return (float16)(vload8(0, plane), vload8(0, plane + pitch));
+}
+QUELL_INLINE void storeItem(floatL value, __global float* plane, int pitch) {
+  vstore8(value.lo, 0, plane);
+  vstore8(value.hi, 0, plane + pitch);
+}
+#else
+#define LANE_X LANE_INDEX
+#define LANE_Y ((intL)(0))
+QUELL_INLINE floatL loadItem(__global const float* plane, int pitch) { return loadLanes(plane); }
+QUELL_INLINE void storeItem(floatL value, __global float* plane, int pitch) { storeLanes(value, plane); }
+#endif
+
+QUELL_INLINE float3L loadItem3(__global const float* planes, int pitch, int stride) {
+  float3L v;
+  v.x = loadItem(planes, pitch);
+  v.y = loadItem(planes + stride, pitch);
+  v.z = loadItem(planes + 2 * stride, pitch);
+  return v;
+}
+
+// First and last tile of an axis whose windows are used. A window whose centre lies outside the image has seen little
+// of what it would be asked about, so the nearest one inside stands in for it.
+QUELL_INLINE int2 usedTiles(int offset, int size) {
+  int first = 0;
+  int last = (size - 1 - offset) / GRAM_TILE_EDGE;
+  if (last > first && offset + GRAM_TILE_EDGE / 2 < 0) ++first;
+  if (last > first && offset + last * GRAM_TILE_EDGE + GRAM_TILE_EDGE / 2 >= size) --last;
+  return (int2)(first, last);
+}
+
+QUELL_INLINE float3L predict(__global const float* record, float3L position, float3L normal) {
+  position.x = (position.x - record[QUELL_FIT_ANCHOR]) * record[QUELL_FIT_SCALE];
+  position.y = (position.y - record[QUELL_FIT_ANCHOR + 1]) * record[QUELL_FIT_SCALE + 1];
+  position.z = (position.z - record[QUELL_FIT_ANCHOR + 2]) * record[QUELL_FIT_SCALE + 2];
+  floatL features[QUELL_FEATURES];
+  makeFeatures(features, normal, position);
+  float3L sum = splat3(0.0f);
+  for (int j = 0; j < QUELL_FEATURES; ++j) {
+    sum.x += features[j] * record[j * QUELL_FIT_CHANNELS];
+    sum.y += features[j] * record[j * QUELL_FIT_CHANNELS + 1];
+    sum.z += features[j] * record[j * QUELL_FIT_CHANNELS + 2];
+  }
+  return sum;
+}
+
+__kernel void blended_sum(__global const float* records, __global const float* guides, __global float* fitted,
+                          GramParams params) {
+  const int itemX = (int)get_global_id(0);
+  const int itemY = (int)get_global_id(1);
+  // Cells lie between tile centres, so the first one starts half a tile before the image.
+  const int cellX = itemX / ITEMS_PER_CELL_ROW;
+  const int cellY = itemY / (GRAM_TILE_EDGE / ITEM_HEIGHT);
+  const int x = params.tileOffsetX - GRAM_TILE_EDGE / 2 + itemX * ITEM_WIDTH;
+  const int y = params.tileOffsetY - GRAM_TILE_EDGE / 2 + itemY * ITEM_HEIGHT;
+  if (cellX > params.tilesX || cellY > params.tilesY || x <= -ITEM_WIDTH || x >= params.planes.width ||
+      y <= -ITEM_HEIGHT || y >= params.planes.height)
+    return;
+  const int index = planeIndex(params.planes, x, y);
+  const int pitch = params.planes.pitch;
+  const int stride = params.planes.stride;
+  const float3L position = loadItem3(guides + QUELL_GUIDE_POSITION * stride + index, pitch, stride);
+  const float3L normal = loadItem3(guides + QUELL_GUIDE_NORMAL * stride + index, pitch, stride);
+
+  const int2 columns = usedTiles(params.tileOffsetX, params.planes.width);
+  const int2 rows = usedTiles(params.tileOffsetY, params.planes.height);
+  const int left = clamp(cellX - 1, columns.x, columns.y);
+  const int right = clamp(cellX, columns.x, columns.y);
+  const int top = clamp(cellY - 1, rows.x, rows.y) * params.tilesX;
+  const int bottom = clamp(cellY, rows.x, rows.y) * params.tilesX;
+  const floatL fractionX = (TO_FLOAT((itemX % ITEMS_PER_CELL_ROW) * ITEM_WIDTH + LANE_X) + 0.5f) *
+                           (1.0f / GRAM_TILE_EDGE);
+  const floatL fractionY =
+      (TO_FLOAT((itemY % (GRAM_TILE_EDGE / ITEM_HEIGHT)) * ITEM_HEIGHT + LANE_Y) + 0.5f) * (1.0f / GRAM_TILE_EDGE);
+
+  float3L sum = scale3(predict(records + (top + left) * QUELL_FIT_RECORD, position, normal),
+                       (1.0f - fractionX) * (1.0f - fractionY));
+  sum = add3(sum, scale3(predict(records + (top + right) * QUELL_FIT_RECORD, position, normal),
+                         fractionX * (1.0f - fractionY)));
+  sum = add3(sum, scale3(predict(records + (bottom + left) * QUELL_FIT_RECORD, position, normal),
+                         (1.0f - fractionX) * fractionY));
+  sum = add3(sum, scale3(predict(records + (bottom + right) * QUELL_FIT_RECORD, position, normal),
+                         fractionX * fractionY));
+  const intL surface = dot3(normal, normal) > 0.0f && isFinite3(sum);
+  const float3L result = select3(surface, clamp3(sum, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f));
+  storeItem(result.x, fitted + index, pitch);
+  storeItem(result.y, fitted + index + stride, pitch);
+  storeItem(result.z, fitted + index + 2 * stride, pitch);
+}

@@ -1,0 +1,90 @@
+// Blocks and tiles of pixels: where their rows lie, and how their positions are scaled.
+#ifndef QUELL_COMMON_BLOCKS_H
+#define QUELL_COMMON_BLOCKS_H
+
+#include "common/planes.h"
+#include "fit_params.h"
+
+// Larger than any position; the identity of the minimum.
+#define NO_POSITION 3e38f
+
+// Nearest pixel of a mirrored image. Reflections repeat with period 2 * size, which matters where the image is smaller
+// than a block.
+QUELL_INLINE int mirror(int i, int size) {
+  int folded = i % (2 * size);
+  folded = folded < 0 ? folded + 2 * size : folded;
+  return folded < size ? folded : 2 * size - 1 - folded;
+}
+
+QUELL_INLINE GatherPlan planBlockRow(PlaneParams planes, int row, int blockX, int blockY) {
+  const int x = blockX + (row & (QUELL_BLOCK_EDGE - 1));
+  int y = blockY + row / QUELL_BLOCK_EDGE;
+  if (y < 0 || y >= planes.height) y = mirror(y, planes.height);
+  GatherPlan plan;
+#if QUELL_LANES == 1
+  plan.index = planeIndex(planes, mirror(x, planes.width), y);
+#else
+  if (x >= 0 && x + 16 <= planes.width) {
+    plan.index = planeIndex(planes, x, y) + LANE_INDEX;
+    plan.firstRun = planeIndex(planes, x, y);
+    plan.lastRun = plan.firstRun;
+    plan.inFirstRun = (intL)(-1);
+    plan.runs = 1;
+  } else {
+    int columns[16];
+    for (int lane = 0; lane < 16; ++lane) columns[lane] = mirror(x + lane, planes.width);
+    plan = planGather(planeIndex(planes, 0, y) + vload16(0, columns));
+  }
+#endif
+  return plan;
+}
+
+QUELL_INLINE float sumLanes(floatL v) {
+#if QUELL_LANES == 1
+  return v;
+#else
+  const float8 a = v.lo + v.hi;
+  const float4 b = a.lo + a.hi;
+  const float2 c = b.lo + b.hi;
+  return c.x + c.y;
+#endif
+}
+
+QUELL_INLINE float minOfLanes(floatL v) {
+#if QUELL_LANES == 1
+  return v;
+#else
+  const float8 a = v.lo < v.hi ? v.lo : v.hi;
+  const float4 b = a.lo < a.hi ? a.lo : a.hi;
+  const float2 c = b.lo < b.hi ? b.lo : b.hi;
+  return c.x < c.y ? c.x : c.y;
+#endif
+}
+
+// Scaling of a set of positions from its range: w = (position - anchor) * scale lies in [0, 1]. A range that is
+// rounding noise next to the view distance is divided by the distance instead, which leaves it below 1e-4 and drowned
+// by the injected noise. An empty set (low > high) gets anchor 0 and scale 1. Once for one set and once for a set per
+// lane.
+#define DEFINE_SCALE_POSITIONS(function, type)                                               \
+  QUELL_INLINE void function(const type* low, const type* high, type* anchor, type* scale) { \
+    type centreSquared = (type)(0.0f);                                                       \
+    for (int axis = 0; axis < 3; ++axis) {                                                   \
+      const type centre = 0.5f * low[axis] + 0.5f * high[axis];                              \
+      anchor[axis] = low[axis] > high[axis] ? (type)(0.0f) : low[axis];                      \
+      scale[axis] = low[axis] > high[axis] ? (type)(0.0f) : high[axis] - low[axis];          \
+      centreSquared += low[axis] > high[axis] ? (type)(0.0f) : centre * centre;              \
+    }                                                                                        \
+    const type distance = sqrt(centreSquared);                                               \
+    const type least = QUELL_FIT_LEAST_RANGE * distance;                                     \
+    const type otherwise = distance > 0.0f ? distance : (type)(1.0f);                        \
+    for (int axis = 0; axis < 3; ++axis)                                                     \
+      scale[axis] = 1.0f / (scale[axis] > least ? scale[axis] : otherwise);                  \
+  }
+DEFINE_SCALE_POSITIONS(scalePositions, float)
+#if QUELL_LANES > 1
+DEFINE_SCALE_POSITIONS(scalePositionsLanes, floatL)
+#else
+#define scalePositionsLanes scalePositions
+#endif
+
+#endif

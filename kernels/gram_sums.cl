@@ -1,0 +1,231 @@
+// gram_sums: sums over a tile of all products of features and colours: everything a least-squares fit needs.
+// Paper:   the normal equations of Koskela et al. 2019, eq. (2); the features of its eq. (1) as in fit.cl.
+// In:      irradiance (3 planes) and guides (7 planes) of this frame.
+// Out:     per tile the upper triangle of the weighted Gram matrix of [features | colour] and the range of the
+//          positions, one plane per number (gram_params.h). Positions are scaled to [0, 1] by that range, as in fit.cl.
+// Tiles:   GRAM_TILE_EDGE pixels square. With GRAM_MIRROR pixels outside the image are mirrored (blocks of 32, as in
+//          fit.cl), else they are left out.
+// Why:     the factorisation in fit.cl passes over 13 columns of 1024 numbers 85 times; this is one pass.
+//
+// GRAM_GROUP_SIZE 1: one work-item a tile, sixteen pixels at once, all 91 sums held by it. Above: the work-group
+// stages columns in local memory and every work-item owns some of the sums. Both add in one fixed order.
+#include "accumulate_noisy_params.h"
+#include "common/blocks.h"
+#include "common/fit_features.h"
+#include "common/planes.h"
+#include "gram_params.h"
+
+#define TILE_PIXELS (GRAM_TILE_EDGE * GRAM_TILE_EDGE)
+
+// Rows of QUELL_LANES pixels of a tile, in the order in which they are added.
+#define TILE_VECTORS (TILE_PIXELS / QUELL_LANES)
+
+typedef struct Tile {
+  int x;  // of its first pixel
+  int y;
+} Tile;
+
+// Pixels number vector * QUELL_LANES and following of a tile; `inside` marks those that count.
+QUELL_INLINE GatherPlan planTilePixels(PlaneParams planes, Tile tile, int vector, intL* inside) {
+  const int pixel = vector * QUELL_LANES;
+#if GRAM_MIRROR
+  *inside = LANE_INDEX == LANE_INDEX;
+  return planBlockRow(planes, pixel, tile.x, tile.y);
+#else
+  const intL number = pixel + LANE_INDEX;
+  const intL x = tile.x + (number & (GRAM_TILE_EDGE - 1));
+  const intL y = tile.y + number / GRAM_TILE_EDGE;
+  *inside = x >= 0 && x < planes.width && y >= 0 && y < planes.height;
+  const intL row = maxLanesInt(minLanesInt(y, (intL)(planes.height - 1)), (intL)(0));
+  const intL column = maxLanesInt(minLanesInt(x, (intL)(planes.width - 1)), (intL)(0));
+  return planGather((row + QUELL_PLANE_MARGIN_ROWS) * planes.pitch + QUELL_PLANE_MARGIN + column);
+#endif
+}
+
+QUELL_INLINE floatL tileWeight(__global const float* guides, PlaneParams planes, GatherPlan plan, intL inside) {
+  const floatL weight = gatherLanes(guides + QUELL_GUIDE_WEIGHT * planes.stride, plan);
+  return inside ? weight : ZERO_LANES;
+}
+
+// Lowers `bounds` to the minima of p and of -p over the pixels with a weight.
+QUELL_INLINE void includePositions(__global const float* guides, PlaneParams planes, GatherPlan plan, floatL weight,
+                                   floatL* bounds) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const floatL p = gatherLanes(guides + (QUELL_GUIDE_POSITION + axis) * planes.stride, plan);
+    bounds[axis] = weight > 0.0f && p < bounds[axis] ? p : bounds[axis];
+    bounds[axis + 3] = weight > 0.0f && -p < bounds[axis + 3] ? -p : bounds[axis + 3];
+  }
+}
+
+// Weighted row of [features | colour].
+QUELL_INLINE void makeColumns(__global const float* irradiance, __global const float* guides, PlaneParams planes,
+                              GatherPlan plan, floatL weight, const float* anchor, const float* scale,
+                              floatL* columns) {
+  const int stride = planes.stride;
+  float3L position = gatherLanes3(guides + QUELL_GUIDE_POSITION * stride, plan, stride);
+  position.x = (position.x - anchor[0]) * scale[0];
+  position.y = (position.y - anchor[1]) * scale[1];
+  position.z = (position.z - anchor[2]) * scale[2];
+  makeFeatures(columns, gatherLanes3(guides + QUELL_GUIDE_NORMAL * stride, plan, stride), position);
+  const float3L color = gatherLanes3(irradiance, plan, stride);
+  columns[QUELL_FEATURES] = color.x;
+  columns[QUELL_FEATURES + 1] = color.y;
+  columns[QUELL_FEATURES + 2] = color.z;
+  const floatL rootWeight = SQRT(weight);
+  // A pixel without weight may lie anywhere, so its features are dropped, not multiplied by zero.
+  for (int k = 0; k < QUELL_FIT_COLUMNS; ++k) columns[k] = weight > 0.0f ? columns[k] * rootWeight : ZERO_LANES;
+}
+
+QUELL_INLINE void storeRange(__global float* tiles, int tileStride, int tile, const float* low, const float* high) {
+  for (int axis = 0; axis < 3; ++axis) {
+    tiles[(QUELL_GRAM_LOW + axis) * tileStride + tile] = low[axis];
+    tiles[(QUELL_GRAM_HIGH + axis) * tileStride + tile] = high[axis];
+  }
+}
+
+#if GRAM_GROUP_SIZE == 1
+
+// All products of two columns, written out: loops over them are left rolled by some compilers, which then cannot keep
+// columns in registers (2.5 times as long on PoCL).
+#define PRODUCT(a, b) sums[QUELL_GRAM_INDEX(a, b)] += first[a] * first[b] + second[a] * second[b];
+#define ROW_FROM_12(a) PRODUCT(a, 12)
+#define ROW_FROM_11(a) PRODUCT(a, 11) ROW_FROM_12(a)
+#define ROW_FROM_10(a) PRODUCT(a, 10) ROW_FROM_11(a)
+#define ROW_FROM_9(a) PRODUCT(a, 9) ROW_FROM_10(a)
+#define ROW_FROM_8(a) PRODUCT(a, 8) ROW_FROM_9(a)
+#define ROW_FROM_7(a) PRODUCT(a, 7) ROW_FROM_8(a)
+#define ROW_FROM_6(a) PRODUCT(a, 6) ROW_FROM_7(a)
+#define ROW_FROM_5(a) PRODUCT(a, 5) ROW_FROM_6(a)
+#define ROW_FROM_4(a) PRODUCT(a, 4) ROW_FROM_5(a)
+#define ROW_FROM_3(a) PRODUCT(a, 3) ROW_FROM_4(a)
+#define ROW_FROM_2(a) PRODUCT(a, 2) ROW_FROM_3(a)
+#define ROW_FROM_1(a) PRODUCT(a, 1) ROW_FROM_2(a)
+#define ROW_FROM_0(a) PRODUCT(a, 0) ROW_FROM_1(a)
+#define ALL_PRODUCTS                                                                                   \
+  ROW_FROM_0(0) ROW_FROM_1(1) ROW_FROM_2(2) ROW_FROM_3(3) ROW_FROM_4(4) ROW_FROM_5(5) ROW_FROM_6(6) \
+  ROW_FROM_7(7) ROW_FROM_8(8) ROW_FROM_9(9) ROW_FROM_10(10) ROW_FROM_11(11) ROW_FROM_12(12)
+#if QUELL_FIT_COLUMNS != 13
+#error "ALL_PRODUCTS is written for 13 columns"
+#endif
+
+__kernel void gram_sums(__global const float* irradiance, __global const float* guides, __global float* tiles,
+                        GramParams params) {
+  const int number = (int)get_global_id(0);
+  if (number >= params.tilesX * params.tilesY) return;
+  const PlaneParams planes = params.planes;
+  const Tile tile = {params.tileOffsetX + (number % params.tilesX) * GRAM_TILE_EDGE,
+                     params.tileOffsetY + (number / params.tilesX) * GRAM_TILE_EDGE};
+  intL inside;
+
+  floatL bounds[6];
+  for (int k = 0; k < 6; ++k) bounds[k] = (floatL)(NO_POSITION);
+  for (int vector = 0; vector < TILE_VECTORS; ++vector) {
+    const GatherPlan plan = planTilePixels(planes, tile, vector, &inside);
+    includePositions(guides, planes, plan, tileWeight(guides, planes, plan, inside), bounds);
+  }
+  float low[3], high[3], anchor[3], scale[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = minOfLanes(bounds[axis]);
+    high[axis] = -minOfLanes(bounds[axis + 3]);
+  }
+  scalePositions(low, high, anchor, scale);
+
+  // Two vectors a turn halve the traffic of the sums, which do not fit into registers.
+  floatL sums[QUELL_GRAM_SUMS];
+  for (int k = 0; k < QUELL_GRAM_SUMS; ++k) sums[k] = ZERO_LANES;
+  for (int vector = 0; vector < TILE_VECTORS; vector += 2) {
+    floatL first[QUELL_FIT_COLUMNS], second[QUELL_FIT_COLUMNS];
+    const GatherPlan firstPlan = planTilePixels(planes, tile, vector, &inside);
+    makeColumns(irradiance, guides, planes, firstPlan, tileWeight(guides, planes, firstPlan, inside), anchor, scale,
+                first);
+    const GatherPlan secondPlan = planTilePixels(planes, tile, vector + 1, &inside);
+    makeColumns(irradiance, guides, planes, secondPlan, tileWeight(guides, planes, secondPlan, inside), anchor, scale,
+                second);
+    ALL_PRODUCTS
+  }
+  for (int k = 0; k < QUELL_GRAM_SUMS; ++k) tiles[k * params.tileStride + number] = sumLanes(sums[k]);
+  storeRange(tiles, params.tileStride, number, low, high);
+}
+
+#else
+
+// Pixels staged at once: 13 columns of 64 floats take 3.3 KiB of local memory.
+#define STAGED_PIXELS 64
+// Sums that one work-item owns.
+#define ITEM_SUMS ((QUELL_GRAM_SUMS + GRAM_GROUP_SIZE - 1) / GRAM_GROUP_SIZE)
+
+__kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_sums(__global const float* irradiance,
+                                                                                   __global const float* guides,
+                                                                                   __global float* tiles,
+                                                                                   GramParams params) {
+  const int id = (int)get_local_id(0);
+  const int number = (int)get_group_id(0);
+  const PlaneParams planes = params.planes;
+  const Tile tile = {params.tileOffsetX + (number % params.tilesX) * GRAM_TILE_EDGE,
+                     params.tileOffsetY + (number / params.tilesX) * GRAM_TILE_EDGE};
+  __local float staged[STAGED_PIXELS * QUELL_FIT_COLUMNS];
+  __local float ranges[6 * GRAM_GROUP_SIZE];
+  int inside;
+
+  float bounds[6];
+  for (int k = 0; k < 6; ++k) bounds[k] = NO_POSITION;
+  for (int pixel = id; pixel < TILE_PIXELS; pixel += GRAM_GROUP_SIZE) {
+    const GatherPlan plan = planTilePixels(planes, tile, pixel, &inside);
+    includePositions(guides, planes, plan, tileWeight(guides, planes, plan, inside), bounds);
+  }
+  for (int k = 0; k < 6; ++k) ranges[k * GRAM_GROUP_SIZE + id] = bounds[k];
+  barrier(CLK_LOCAL_MEM_FENCE);
+  for (int active = GRAM_GROUP_SIZE / 2; active > 0; active /= 2) {
+    if (id < active) {
+      for (int k = 0; k < 6; ++k)
+        ranges[k * GRAM_GROUP_SIZE + id] =
+            minLanes(ranges[k * GRAM_GROUP_SIZE + id], ranges[k * GRAM_GROUP_SIZE + id + active]);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+  }
+  float low[3], high[3], anchor[3], scale[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = ranges[axis * GRAM_GROUP_SIZE];
+    high[axis] = -ranges[(axis + 3) * GRAM_GROUP_SIZE];
+  }
+  scalePositions(low, high, anchor, scale);
+
+  // Which columns this work-item multiplies for each of its sums.
+  int columnA[ITEM_SUMS], columnB[ITEM_SUMS];
+  float sums[ITEM_SUMS];
+  for (int k = 0; k < ITEM_SUMS; ++k) {
+    int rest = id + k * GRAM_GROUP_SIZE;
+    int a = 0;
+    for (int row = 0; row < QUELL_FIT_COLUMNS - 1; ++row) {
+      const int length = QUELL_FIT_COLUMNS - row;
+      const int further = a == row && rest >= length;
+      rest -= further ? length : 0;
+      a += further ? 1 : 0;
+    }
+    columnA[k] = a;
+    columnB[k] = min(a + rest, QUELL_FIT_COLUMNS - 1);
+    sums[k] = 0.0f;
+  }
+
+  for (int first = 0; first < TILE_PIXELS; first += STAGED_PIXELS) {
+    for (int pixel = id; pixel < STAGED_PIXELS; pixel += GRAM_GROUP_SIZE) {
+      const GatherPlan plan = planTilePixels(planes, tile, first + pixel, &inside);
+      float columns[QUELL_FIT_COLUMNS];
+      makeColumns(irradiance, guides, planes, plan, tileWeight(guides, planes, plan, inside), anchor, scale, columns);
+      for (int k = 0; k < QUELL_FIT_COLUMNS; ++k) staged[pixel * QUELL_FIT_COLUMNS + k] = columns[k];
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (int pixel = 0; pixel < STAGED_PIXELS; ++pixel) {
+      for (int k = 0; k < ITEM_SUMS; ++k)
+        sums[k] += staged[pixel * QUELL_FIT_COLUMNS + columnA[k]] * staged[pixel * QUELL_FIT_COLUMNS + columnB[k]];
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+  }
+  for (int k = 0; k < ITEM_SUMS; ++k) {
+    if (id + k * GRAM_GROUP_SIZE < QUELL_GRAM_SUMS)
+      tiles[(id + k * GRAM_GROUP_SIZE) * params.tileStride + number] = sums[k];
+  }
+  if (id == 0) storeRange(tiles, params.tileStride, number, low, high);
+}
+
+#endif

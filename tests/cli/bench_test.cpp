@@ -1,0 +1,201 @@
+// quell bench as a user runs it: what it runs, skips, stores and refuses. Never how fast anything was.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "host/cli/bench_plan.hpp"
+#include "host/cli/run_tool.hpp"
+#include "host/io/atomic_file.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace quell::tests {
+namespace {
+
+using nlohmann::json;
+
+const std::string kData = std::string(QUELL_DATA_DIR) + "/colonnade";
+
+int quell(std::vector<std::string> arguments) {
+  std::vector<const char*> argv = {"quell"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  return cli::runTool(static_cast<int>(argv.size()), argv.data());
+}
+
+// Runs the bench with what all tests share added.
+int bench(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "bench");
+  arguments.insert(arguments.end(), {"--frames", "3", "--repeat", "1"});
+  return quell(std::move(arguments));
+}
+
+json readJson(const std::string& file) {
+  return json::parse(io::readFile(file));
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> result;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
+std::ptrdiff_t commas(const std::string& line) {
+  return std::count(line.begin(), line.end(), ',');
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::vector<std::string> namesOf(const std::vector<cli::PlannedRun>& runs) {
+  std::vector<std::string> names;
+  for (const cli::PlannedRun& run : runs) names.push_back(run.name());
+  return names;
+}
+
+ErrorCode codeOfPlan(const std::vector<std::string>& methods, const std::vector<cli::Variation>& variations) {
+  try {
+    cli::planRuns(methods, variations);
+  } catch (const Error& error) {
+    return error.code();
+  }
+  FAIL("planned");
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("bench plans all combinations of methods and values", "[cli]") {
+  CHECK(namesOf(cli::planRuns({"bmfr"}, {})) == std::vector<std::string>{"bmfr"});
+  const cli::Variation solver = cli::parseVariation("solver=householder,gram");
+  const cli::Variation taa = cli::parseVariation("taa=off");
+  CHECK(namesOf(cli::planRuns({"bmfr"}, {solver, taa})) ==
+        std::vector<std::string>{"bmfr solver=householder taa=off", "bmfr solver=gram taa=off"});
+}
+
+TEST_CASE("bench refuses what no method knows", "[cli]") {
+  CHECK(codeOfPlan({"magic"}, {}) == ErrorCode::UnknownSetting);
+  CHECK(codeOfPlan({"bmfr"}, {{"nothing", {"1"}}}) == ErrorCode::UnknownSetting);
+  CHECK(codeOfPlan({"bmfr"}, {{"solver", {"gram", "magic"}}}) == ErrorCode::OutOfRange);
+  CHECK(codeOfPlan({"bmfr"}, {{"taa", {"on"}}, {"taa", {"off"}}}) == ErrorCode::InvalidArgument);
+  CHECK_THROWS_AS(cli::parseVariation("solver"), Error);
+  CHECK_THROWS_AS(cli::parseVariation("solver="), Error);
+}
+
+TEST_CASE("bench stores stage times beside the copy bandwidth", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("bench.json");
+  REQUIRE(bench({"--methods", "bmfr", "--solver", "householder,gram", "--size", "64x48", "--json", file}) ==
+          0);
+  const json result = readJson(file);
+  CHECK(result.at("copy_ms").get<double>() > 0.0);
+  CHECK(result.at("copy_gbs").get<double>() > 0.0);
+  CHECK(result.at("copy_gbs_measured").size() == 2);
+  CHECK(result.at("repeat") == 1);
+  CHECK(result.at("skipped").empty());
+  REQUIRE(result.at("runs").size() == 2);
+  CHECK(result.at("runs")[0].at("settings").at("solver") == "householder");
+  CHECK(result.at("runs")[1].at("settings").at("solver") == "gram");
+  for (const json& run : result.at("runs")) {
+    CHECK(run.at("method") == "bmfr");
+    CHECK(run.at("width") == 64);
+    CHECK(run.at("height") == 48);
+    CHECK(run.at("frames") == 3);
+    CHECK(run.at("copy_ms") == result.at("copy_ms"));
+    CHECK(run.at("memory_bytes").get<double>() > 0.0);
+    CHECK(run.at("frame_ms").at("median").get<double>() > 0.0);
+    CHECK((run.at("time_source") == "device" || run.at("time_source") == "host"));
+    REQUIRE_FALSE(run.at("stages").empty());
+    for (const json& stage : run.at("stages")) {
+      CHECK(stage.at("min_ms").get<double>() <= stage.at("median_ms").get<double>());
+      CHECK(stage.at("median_ms").get<double>() <= stage.at("max_ms").get<double>());
+      CHECK(stage.at("bytes").get<double>() > 0.0);
+      for (const char* figure : {"gbs", "copies", "copy_share"}) CHECK(stage.at(figure).get<double>() >= 0.0);
+    }
+  }
+}
+
+TEST_CASE("bench skips what the library refuses, size by size", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("bench.json");
+  REQUIRE(bench({"--solver", "householder,gram", "--windows", "blocks,overlap", "--vary", "taa=off", "--size",
+                 "64x48,33x17", "--json", file}) == 0);
+  const json result = readJson(file);
+  REQUIRE(result.at("runs").size() == 2 * 3);
+  CHECK(result.at("runs")[0].at("width") == 64);
+  CHECK(result.at("runs")[5].at("width") == 33);
+  REQUIRE(result.at("skipped").size() == 2);
+  CHECK(result.at("skipped")[0].at("run") == "bmfr solver=householder windows=overlap taa=off");
+  CHECK(result.at("skipped")[1].at("width") == 33);
+}
+
+TEST_CASE("bench gives the output of denoise, and its errors, whatever runs beside", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("bench.json"), alone = directory.file("denoise.json");
+  REQUIRE(quell({"bench", "--solver", "gram,householder", "--input", kData, "--frames", "4", "--repeat", "1",
+                 "--json", file}) == 0);
+  REQUIRE(quell({"denoise", "--input", kData, "--frames", "4-7", "--set", "solver=householder", "--json",
+                 alone}) == 0);
+  const json run = readJson(file).at("runs").at(1), denoised = readJson(alone);
+  CHECK(run.at("output_hash") == denoised.at("output_hash"));
+  CHECK(run.at("settings") == denoised.at("settings"));
+  CHECK(run.at("errors") == denoised.at("errors"));
+  CHECK(run.at("input") == kData);
+  CHECK(run.at("errors").at(0).at("frame") == 7);
+}
+
+TEST_CASE("bench writes a table whose lines are all alike", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("bench.csv"), report = directory.file("bench.json");
+  REQUIRE(quell({"bench", "--input", kData, "--size", "64x48", "--frames", "4", "--repeat", "1", "--csv",
+                 file, "--json", report}) == 0);
+  const std::vector<std::string> table = lines(io::readFile(file));
+  std::size_t expected = 1;  // the header
+  const json result = readJson(report);
+  REQUIRE(result.at("runs").size() == 2);
+  for (const json& run : result.at("runs"))
+    expected += run.at("stages").size() + 2 + 3 * run.value("errors", json::array()).size();
+  REQUIRE(table.size() == expected);
+  CHECK(contains(table[0], "input,method,settings,width,height,"));
+  for (const std::string& line : table)
+    if (!contains(line, "\"")) CHECK(commas(line) == commas(table[0]));
+  CHECK(contains(table[1], ",stage,accumulate_noisy,"));
+  const auto count = [&](const std::string& part) {
+    return std::count_if(table.begin(), table.end(), [&](const auto& line) { return contains(line, part); });
+  };
+  CHECK(count(",sum,sum of stages,") == 2);
+  CHECK(count(",error,frame 7 linear,") == 1);
+  CHECK(count("\"analytic room, seed 1\",bmfr,") > 0);
+}
+
+TEST_CASE("bench answers mistakes and leaves no file", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("bench.json");
+  const auto refuses = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--json", file});
+    return bench(std::move(arguments)) != 0;
+  };
+  CHECK(refuses({"--methods", "magic"}));
+  CHECK(refuses({"--vary", "nothing=1", "--size", "8x8"}));
+  CHECK(refuses({"--vary", "taaNewestWeight=7", "--size", "8x8"}));
+  CHECK(refuses({"--vary", "taa", "--size", "8x8"}));
+  CHECK(refuses({"--solver", "magic", "--size", "8x8"}));
+  CHECK(refuses({"--size", "0x10"}));
+  CHECK(refuses({"--size", "64x48,banana"}));
+  CHECK(refuses({"--input", directory.file("none")}));
+  CHECK(refuses({"--size", "8x8", "--device", "no such device"}));
+  CHECK(refuses({"--solver", "householder", "--windows", "overlap", "--size", "8x8"}));
+  CHECK(quell({"bench", "--size", "8x8", "--frames", "0"}) != 0);
+  CHECK(quell({"bench", "--size", "8x8", "--repeat", "0"}) != 0);
+  CHECK(directory.entryCount() == 0);
+  CHECK(bench({"--size", "8x8", "--json", directory.file("missing/bench.json")}) == 1);
+}
+
+TEST_CASE("bench has a help text", "[cli]") {
+  CHECK(quell({"bench", "--help"}) == 0);
+}
+
+}  // namespace quell::tests
