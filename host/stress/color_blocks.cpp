@@ -28,7 +28,7 @@ void breakComponents(std::array<Vector3, kBlockPixels>& values, double share, Ra
 }  // namespace
 
 void makeOddColor(Block& block, Random& random) {
-  addRichSurface(block, random);
+  addRichSurface(block, View(random), random);
   block.radiance.fill({1.0, 0.5, 0.25});
   for (double& value : block.radiance[randomPixel(random)])
     value = random.chance(0.2) ? 0.0 : random.logUniform(1e-3, 1e5);
@@ -63,7 +63,7 @@ void makeDenormalColors(Block& block, Random& random) {
 }
 
 void makeZeroColors(Block& block, Random& random) {
-  addRichSurface(block, random);
+  addRichSurface(block, View(random), random);
 }
 
 void makeNegativeColors(Block& block, Random& random) {

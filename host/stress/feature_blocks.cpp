@@ -32,13 +32,17 @@ Vector3 obliqueNormal(const View& view, Random& random) {
 }
 
 // The axis that the camera looks along most.
-Vector3 facingAxis(const View& view) {
+std::size_t facingAxis(const View& view) {
   std::size_t longest = 0;
   for (std::size_t i = 1; i < 3; ++i)
     if (std::abs(view.forward()[i]) > std::abs(view.forward()[longest])) longest = i;
-  Vector3 axis{};
-  axis[longest] = 1.0;
-  return axis;
+  return longest;
+}
+
+Vector3 facingDirection(const View& view) {
+  Vector3 direction{};
+  direction[facingAxis(view)] = 1.0;
+  return direction;
 }
 
 void makeEdge(Block& block, double distanceRatio, Random& random) {
@@ -54,29 +58,28 @@ void makeEdge(Block& block, double distanceRatio, Random& random) {
 }
 
 // Low waves with a fine normal map: smooth light over it is close to what features can follow.
-void addCalmSurface(Block& block, Random& random) {
-  const View view(random);
+void addCalmSurface(Block& block, const View& view, Random& random) {
   addWavySurface(block, view, randomDistance(random), random.uniform(0.03, 0.1), random);
   roughenNormals(block, random.uniform(0.1, 0.3), random);
 }
 
-// Two of the three coordinates of position and normal agree.
-void duplicateColumns(Block& block, double difference, Random& random) {
+// The position's coordinate along the view repeats another one, up to this difference, and so does one of the
+// normal's across it. What tells the block's pixels apart stays.
+void duplicateColumns(Block& block, const View& view, double difference, Random& random) {
+  const std::size_t along = facingAxis(view);
+  const std::size_t across = (along + 1) % 3;
+  const std::size_t other = (along + 2) % 3;
   for (int i = 0; i < kBlockPixels; ++i) {
     Vector3& position = block.positionRelative[i];
     Vector3& normal = block.normalWorld[i];
-    position[2] = position[0] * (1.0 + difference * random.uniform(-1.0, 1.0));
-    normal[2] = normal[0] * (1.0 + difference * random.uniform(-1.0, 1.0));
-    const double length = std::sqrt(dot(normal, normal));
-    // A normal along the second axis alone would do no harm, but its length may have vanished.
-    normal = length > 0.5 ? normal : Vector3{0.5, 0.7, 0.5};
+    position[along] = position[across] * (1.0 + difference * random.uniform(-1.0, 1.0));
+    normal[other] = normal[across] * (1.0 + difference * random.uniform(-1.0, 1.0));
   }
 }
 
 }  // namespace
 
-void addRichSurface(Block& block, Random& random) {
-  const View view(random);
+void addRichSurface(Block& block, const View& view, Random& random) {
   const double distance = randomDistance(random);
   addWaves(block, view, distance, random);
   roughenPositions(block, view, distance, random.uniform(0.2, 0.5), random);
@@ -84,7 +87,7 @@ void addRichSurface(Block& block, Random& random) {
 }
 
 void makeRich(Block& block, Random& random) {
-  addRichSurface(block, random);
+  addRichSurface(block, View(random), random);
   addLighting(block, random);
 }
 
@@ -96,7 +99,7 @@ void makeConstantNormals(Block& block, Random& random) {
 
 void makeAlignedPlane(Block& block, Random& random) {
   const View view(random);
-  addPlane(block, view, facingAxis(view), randomDistance(random));
+  addPlane(block, view, facingDirection(view), randomDistance(random));
   addLighting(block, random);
 }
 
@@ -109,7 +112,7 @@ void makeObliquePlane(Block& block, Random& random) {
 void makeNearlyAlignedPlane(Block& block, Random& random) {
   const View view(random);
   const Vector3 tilt = scale(randomDirection(random), random.logUniform(1e-7, 1e-2));
-  addPlane(block, view, normalized(add(facingAxis(view), tilt)), randomDistance(random));
+  addPlane(block, view, normalized(add(facingDirection(view), tilt)), randomDistance(random));
   addGentleLighting(block, random);
 }
 
@@ -131,18 +134,20 @@ void makeNearlyConstantFeatures(Block& block, Random& random) {
 }
 
 void makeDuplicatedFeatures(Block& block, Random& random) {
-  addRichSurface(block, random);
-  duplicateColumns(block, 0.0, random);
+  const View view(random);
+  addRichSurface(block, view, random);
+  duplicateColumns(block, view, 0.0, random);
   addLighting(block, random);
 }
 
 void makeNearlyDuplicatedFeatures(Block& block, Random& random) {
+  const View view(random);
   if (random.chance(0.5)) {
-    addSphere(block, View(random), randomDistance(random), random);
+    addSphere(block, view, randomDistance(random), random);
     roughenNormals(block, random.logUniform(1e-7, 1e-2), random);
   } else {
-    addCalmSurface(block, random);
-    duplicateColumns(block, random.logUniform(1e-7, 1e-2), random);
+    addCalmSurface(block, view, random);
+    duplicateColumns(block, view, random.logUniform(1e-7, 1e-2), random);
   }
   addGentleLighting(block, random);
 }
@@ -157,13 +162,13 @@ void makeSkyEdge(Block& block, Random& random) {
 }
 
 void makeDistant(Block& block, Random& random) {
-  addCalmSurface(block, random);
+  addCalmSurface(block, View(random), random);
   addGentleLighting(block, random);
   offsetPositions(block, scale(randomDirection(random), random.logUniform(1e2, 1e7)));
 }
 
 void makeVeryDistant(Block& block, Random& random) {
-  addCalmSurface(block, random);
+  addCalmSurface(block, View(random), random);
   addGentleLighting(block, random);
   const double distance = random.logUniform(1e8, 1e17);
   const double share = random.logUniform(1e-6, 1e-3);

@@ -3,12 +3,13 @@
 #pragma once
 
 #include "host/stress/block.hpp"
+#include "host/stress/geometry.hpp"
 #include "host/stress/random.hpp"
 
 namespace quell::stress {
 
 /// Features alone, without radiance, that determine all ten coefficients: waves, roughened like foliage.
-void addRichSurface(Block& block, Random& random);
+void addRichSurface(Block& block, const View& view, Random& random);
 
 void makeRich(Block& block, Random& random);
 /// Waves with the normal of none of their points.

@@ -22,6 +22,7 @@ constexpr double kLeastSignal = 1e-30;
 // Of a float.
 constexpr double kRounding = 6e-8;
 
+using FeatureColumn = Eigen::Matrix<double, QUELL_FEATURES, 1>;
 using Indices = std::vector<Eigen::Index>;
 
 FeatureRow featuresOf(const std::array<float, QUELL_GUIDE_PLANES>& guides, const BlockFit& scaling) {
@@ -57,8 +58,38 @@ bool isFinite(const BlockInputs& inputs, const BlockFit& fit) {
   return finite;
 }
 
-Eigen::Array3d weightedEnergy(const Eigen::VectorXd& weights, const ColorMatrix& values) {
-  return (weights.asDiagonal() * values.cwiseAbs2()).colwise().sum().transpose().array();
+double weightedEnergy(const Eigen::VectorXd& weights, const Eigen::VectorXd& values) {
+  return weights.dot(values.cwiseAbs2());
+}
+
+void raise(double& worst, double value) {
+  worst = std::max(worst, value);
+}
+
+/// Raises the errors to those of one channel.
+void compareChannel(const LeastSquares& problem, const OptimalFit& optimal, const FeatureColumn& coefficients,
+                    Eigen::Index c, FitErrors& errors) {
+  const Eigen::VectorXd color = problem.colors.col(c);
+  const double weight = problem.weights.sum();
+  const double mean = problem.weights.dot(color) / weight;
+  const double low = color.minCoeff();
+  const double high = color.maxCoeff();
+  const double leastRange = std::max(kLeastRange * high, kLeastSignal);
+  const double range = std::max(high - low, leastRange);
+  const double signal =
+      std::max(weightedEnergy(problem.weights, color.array() - mean), weight * leastRange * leastRange);
+
+  const FeatureColumn wanted = optimal.coefficients.col(c);
+  const Eigen::VectorXd predicted = problem.features * coefficients;
+  raise(errors.excessResidual,
+        (weightedEnergy(problem.weights, color - predicted) - optimal.residualEnergy[c]) / signal);
+  raise(errors.prediction, (predicted - problem.features * wanted).cwiseAbs().maxCoeff() / range);
+  const Eigen::VectorXd everywhere = problem.predicted * coefficients;
+  raise(errors.outsideRange, (everywhere.maxCoeff() - high - leastRange) / range);
+  raise(errors.outsideRange, (low - everywhere.minCoeff() - leastRange) / range);
+  if (optimal.condition < kComparedCondition)
+    raise(errors.coefficient, (coefficients - wanted).cwiseAbs().maxCoeff() /
+                                  std::max(wanted.cwiseAbs().maxCoeff(), kLeastSignal));
 }
 
 }  // namespace
@@ -107,14 +138,14 @@ OptimalFit solveOptimally(const LeastSquares& problem) {
     if (length > kRounding * size) inverseLength[j] = 1.0 / length;
   }
   centred *= inverseLength.asDiagonal();
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr;
   qr.setThreshold(kOracleRankTolerance);
   qr.compute(centred);
   const Eigen::MatrixXd solution = qr.solve(colors);
   fit.residualEnergy = (colors - centred * solution).colwise().squaredNorm().transpose().array();
   fit.coefficients.bottomRows<kVaried>() = inverseLength.asDiagonal() * solution;
   fit.coefficients.row(0) = colorMeans - means.rightCols<kVaried>() * fit.coefficients.bottomRows<kVaried>();
-  const Eigen::ArrayXd diagonal = qr.matrixQR().diagonal().array().abs();
+  const Eigen::ArrayXd diagonal = qr.matrixQTZ().diagonal().array().abs();
   fit.condition = qr.rank() < kVaried ? std::numeric_limits<double>::infinity()
                                       : diagonal.maxCoeff() / diagonal.minCoeff();
   return fit;
@@ -134,39 +165,16 @@ FitErrors compareFit(const BlockInputs& inputs, const BlockFit& fit) {
   errors.finite = isFinite(inputs, fit);
   if (!errors.finite) return errors;
   const LeastSquares problem = makeLeastSquares(inputs, fit);
-  const OptimalFit optimal = solveOptimally(problem);
   const Coefficients coefficients = coefficientsOf(fit);
   if (problem.predicted.rows() == 0) return errors;
-  const ColorMatrix everywhere = problem.predicted * coefficients;
   if (problem.features.rows() == 0) {
-    errors.outsideRange = everywhere.cwiseAbs().maxCoeff() / kLeastSignal;
+    // Without data the only plausible prediction is nothing.
+    errors.outsideRange = (problem.predicted * coefficients).cwiseAbs().maxCoeff() / kLeastSignal;
     return errors;
   }
-
-  const double weight = problem.weights.sum();
-  const ColorMatrix predicted = problem.features * coefficients;
-  const ColorMatrix wanted = problem.features * optimal.coefficients;
-  const Eigen::RowVector3d mean = problem.weights.transpose() * problem.colors / weight;
-  const Eigen::Array3d residual = weightedEnergy(problem.weights, problem.colors - predicted);
-  const Eigen::Array3d signal =
-      weightedEnergy(problem.weights, problem.colors - mean.replicate(problem.colors.rows(), 1));
-  const bool comparable = optimal.condition < kComparedCondition;
-  for (Eigen::Index c = 0; c < QUELL_FIT_CHANNELS; ++c) {
-    const double low = problem.colors.col(c).minCoeff();
-    const double high = problem.colors.col(c).maxCoeff();
-    const double leastRange = std::max(kLeastRange * high, kLeastSignal);
-    const double range = std::max(high - low, leastRange);
-    const double energy = std::max(signal[c], weight * leastRange * leastRange);
-    const double largest = std::max(optimal.coefficients.col(c).cwiseAbs().maxCoeff(), kLeastSignal);
-    const auto raise = [](double& worst, double value) { worst = std::max(worst, value); };
-    raise(errors.excessResidual, (residual[c] - optimal.residualEnergy[c]) / energy);
-    raise(errors.prediction, (predicted.col(c) - wanted.col(c)).cwiseAbs().maxCoeff() / range);
-    raise(errors.outsideRange, (everywhere.col(c).maxCoeff() - high - leastRange) / range);
-    raise(errors.outsideRange, (low - everywhere.col(c).minCoeff() - leastRange) / range);
-    if (comparable)
-      raise(errors.coefficient,
-            (coefficients.col(c) - optimal.coefficients.col(c)).cwiseAbs().maxCoeff() / largest);
-  }
+  const OptimalFit optimal = solveOptimally(problem);
+  for (Eigen::Index c = 0; c < QUELL_FIT_CHANNELS; ++c)
+    compareChannel(problem, optimal, coefficients.col(c), c, errors);
   return errors;
 }
 

@@ -12,13 +12,12 @@ double judged(const FitErrors& errors, Posedness posedness) {
 
 }  // namespace
 
-void SolverFigures::include(const FitErrors& errors, Posedness posedness) {
-  const auto number = static_cast<std::uint32_t>(blocks++);
+void SolverFigures::include(const FitErrors& errors) {
+  ++blocks;
   if (!errors.finite) {
     ++nonFinite;
     return;
   }
-  if (judged(errors, posedness) > judged(worst, posedness)) worstBlock = number;
   worst.excessResidual = std::max(worst.excessResidual, errors.excessResidual);
   worst.prediction = std::max(worst.prediction, errors.prediction);
   worst.coefficient = std::max(worst.coefficient, errors.coefficient);
@@ -32,7 +31,7 @@ FamilyFigures runFamily(const Family& family, BlockFitter& fitter, std::uint64_t
     const BatchFit fits = fitter.fit(batch, seed + index * kBatchBlocks);
     for (const Solver solver : kSolvers)
       for (std::size_t block = 0; block < batch.blocks.size(); ++block)
-        figures.of(solver).include(compareFit(fits.inputs[block], fits.of(solver)[block]), family.posedness);
+        figures.of(solver).include(compareFit(fits.inputs[block], fits.of(solver)[block]));
   }
   return figures;
 }

@@ -10,20 +10,19 @@ namespace quell::stress {
 
 /// Well-posed families: residual energy above the least there is, per energy of the signal about its mean.
 constexpr double kMostExcessResidual = 0.01;
-/// Ill-posed families: predictions stay inside the data's range widened by 50 %, a quarter at either end.
-constexpr double kMostOutsideRange = 0.25;
+/// Ill-posed families: predictions stay inside the data's range widened by half its width at either end.
+constexpr double kMostOutsideRange = 0.5;
 
 /// The worst over all blocks of a family.
 struct SolverFigures {
-  FitErrors worst;               ///< of the blocks with finite results; `finite` is not used
-  std::uint32_t worstBlock = 0;  ///< the one that broke its bound by most, or came nearest to it
+  FitErrors worst;  ///< of the blocks with finite results; `finite` is not used
   std::uint64_t blocks = 0;
   std::uint64_t nonFinite = 0;  ///< blocks with a result that is not finite
 
   double nonFiniteShare() const {
     return blocks > 0 ? static_cast<double>(nonFinite) / static_cast<double>(blocks) : 0.0;
   }
-  void include(const FitErrors& errors, Posedness posedness);
+  void include(const FitErrors& errors);
 };
 
 struct FamilyFigures {

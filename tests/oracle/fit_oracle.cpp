@@ -57,7 +57,9 @@ void scalePositions(const FitInputs& inputs, int block, FitRecord& record) {
     const double range = high[axis] - low[axis];
     const bool significant = !empty && range > double(QUELL_FIT_LEAST_RANGE) * std::sqrt(centreSquared);
     record.anchor[axis] = empty ? 0.0 : low[axis];
-    record.scale[axis] = significant ? 1.0 / range : 1.0;
+    // Rounding noise is divided by the distance instead.
+    const double otherwise = !empty && centreSquared > 0.0 ? std::sqrt(centreSquared) : 1.0;
+    record.scale[axis] = 1.0 / (significant ? range : otherwise);
   }
 }
 
