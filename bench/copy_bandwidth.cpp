@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "host/core/cl_error.hpp"
+#include "host/core/frame_timer.hpp"
 #include "host/core/opencl.hpp"
 
 namespace quell {
@@ -46,9 +47,10 @@ double runOnce(const cl::CommandQueue& queue, const cl::Kernel& kernel, std::siz
   queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group), nullptr, &event);
   event.wait();
   const std::chrono::duration<double> wall = Clock::now() - begin;
-  const auto start = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
-  const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
-  return end > start ? double(end - start) * 1e-9 : wall.count();
+  if (!FrameTimer::hasDeviceTimes(event)) return wall.count();
+  return double(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
+                event.getProfilingInfo<CL_PROFILING_COMMAND_START>()) *
+         1e-9;
 }
 
 CopyBandwidth measure(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue) {

@@ -6,7 +6,10 @@
 
 #include "tests/cases/accumulate_filtered_case.hpp"
 #include "tests/cases/accumulate_noisy_case.hpp"
+#include "tests/cases/blended_sum_case.hpp"
 #include "tests/cases/fit_case.hpp"
+#include "tests/cases/gram_solve_case.hpp"
+#include "tests/cases/gram_sums_case.hpp"
 #include "tests/cases/remodulate_case.hpp"
 #include "tests/cases/temporal_antialiasing_case.hpp"
 #include "tests/cases/tone_map_case.hpp"
@@ -55,6 +58,20 @@ void addPlaneStages(std::vector<StageEntry>& entries, const std::string& variant
   entries.push_back(entry<tests::ToneMapCase>("tone_map." + variant, mapping, layout));
 }
 
+// Stages of a fit from sums over tiles.
+void addGramStages(std::vector<StageEntry>& entries, const std::string& variant, Mapping mapping) {
+  const ImageLayout layout = tests::packed(3);
+  const std::pair<const char*, GramWindows> allWindows[] = {
+      {"", tests::kBlocks}, {"_overlap8", tests::kOverlap8}, {"_overlap16", tests::kOverlap16}};
+  for (const auto& [suffix, windows] : allWindows) {
+    const std::string name = variant + suffix;
+    entries.push_back(entry<tests::GramSumsCase>("gram_sums." + name, mapping, layout, windows));
+    entries.push_back(entry<tests::GramSolveCase>("gram_solve." + name, mapping, layout, windows));
+    if (windows.overlap)
+      entries.push_back(entry<tests::BlendedSumCase>("blended_sum." + name, mapping, layout, windows));
+  }
+}
+
 void checkResult(const StageEntry& stage) {
   const auto stageCase = stage.make(kCheckSize);
   const tests::Comparison comparison = stageCase->check();
@@ -71,6 +88,7 @@ std::vector<StageEntry> stageEntries() {
     addImageStages(entries, std::string(name) + "_float3", mapping, tests::packed(3));
     addImageStages(entries, std::string(name) + "_half4", mapping, tests::packedHalf(4));
     addPlaneStages(entries, name, mapping);
+    addGramStages(entries, name, mapping);
     entries.push_back(entry<tests::FitCase>("fit." + std::string(name) + "_half", mapping, tests::packed(3),
                                             FeatureStorage::Half));
   }

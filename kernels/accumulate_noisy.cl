@@ -10,7 +10,7 @@
 //          Inf anywhere is a missing sample: it keeps its history, or becomes a hole that the fit fills; positions are
 //          relative to the camera; see common/reprojection.h and common/demodulation.h for the rest.
 #include "accumulate_noisy_params.h"
-#include "common/demodulation.h"
+#include "common/material.h"
 #include "common/reprojection.h"
 
 typedef struct Sample {
@@ -22,29 +22,17 @@ typedef struct Sample {
 QUELL_INLINE Sample loadSample(__global const uchar* radianceData, __global const uchar* emissionData,
                                 __global const uchar* albedoData, __global const uchar* glossColorData,
                                 AccumulateNoisyParams params, int x, int y, int lanes) {
-  const float3L radiance = LOAD_PIXELS(RADIANCE, radianceData, params.radiance, x, y, lanes);
-  float3L emission = splat3(0.0f);
-  float3L factor = splat3(1.0f);
-#if EMISSION_FORMAT
-  emission = LOAD_PIXELS(EMISSION, emissionData, params.emission, x, y, lanes);
-#endif
-  const intL finite = isFinite3(radiance) && isFinite3(emission);
+  const Material material =
+      LOAD_MATERIAL(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes);
+  const float3L signal = cleanSignal(material.radiance, material.emission, material.finite);
   Sample sample;
 #if DEMODULATED
-  sample.irradiance = cleanSignal(radiance, splat3(0.0f), finite);
+  sample.irradiance = signal;
   sample.weight = ONE_LANES;
 #else
-#if ALBEDO_FORMAT && GLOSSCOLOR_FORMAT
-  factor = add3(cleanFactor3(LOAD_PIXELS(ALBEDO, albedoData, params.albedo, x, y, lanes)),
-                cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes)));
-#elif ALBEDO_FORMAT
-  factor = cleanFactor3(LOAD_PIXELS(ALBEDO, albedoData, params.albedo, x, y, lanes));
-#elif GLOSSCOLOR_FORMAT
-  factor = cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes));
+  sample.irradiance = demodulate(signal, material.factor, &sample.weight);
 #endif
-  sample.irradiance = demodulate(cleanSignal(radiance, emission, finite), factor, &sample.weight);
-#endif
-  sample.present = finite && sample.weight > 0.0f;
+  sample.present = material.finite && sample.weight > 0.0f;
   return sample;
 }
 

@@ -17,7 +17,6 @@ typedef struct AccumulateNoisyParams {
   ImageViewParams normal;
   ImageViewParams position;
   QuellFloat leastWeight;  // least weight of the newest sample, (0, 1]
-  QuellInt demodulated;    // 1: radiance is irradiance already
 } AccumulateNoisyParams;
 
 QUELL_NAMESPACE_END

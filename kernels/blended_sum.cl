@@ -49,21 +49,6 @@ QUELL_INLINE int2 usedTiles(int offset, int size) {
   return (int2)(first, last);
 }
 
-QUELL_INLINE float3L predict(__global const float* record, float3L position, float3L normal) {
-  position.x = (position.x - record[QUELL_FIT_ANCHOR]) * record[QUELL_FIT_SCALE];
-  position.y = (position.y - record[QUELL_FIT_ANCHOR + 1]) * record[QUELL_FIT_SCALE + 1];
-  position.z = (position.z - record[QUELL_FIT_ANCHOR + 2]) * record[QUELL_FIT_SCALE + 2];
-  floatL features[QUELL_FEATURES];
-  makeFeatures(features, normal, position);
-  float3L sum = splat3(0.0f);
-  for (int j = 0; j < QUELL_FEATURES; ++j) {
-    sum.x += features[j] * record[j * QUELL_FIT_CHANNELS];
-    sum.y += features[j] * record[j * QUELL_FIT_CHANNELS + 1];
-    sum.z += features[j] * record[j * QUELL_FIT_CHANNELS + 2];
-  }
-  return sum;
-}
-
 __kernel void blended_sum(__global const float* records, __global const float* guides, __global float* fitted,
                           GramParams params) {
   const int itemX = (int)get_global_id(0);
@@ -93,13 +78,13 @@ __kernel void blended_sum(__global const float* records, __global const float* g
   const floatL fractionY =
       (TO_FLOAT((itemY % (GRAM_TILE_EDGE / ITEM_HEIGHT)) * ITEM_HEIGHT + LANE_Y) + 0.5f) * (1.0f / GRAM_TILE_EDGE);
 
-  float3L sum = scale3(predict(records + (top + left) * QUELL_FIT_RECORD, position, normal),
+  float3L sum = scale3(evaluateFit(records + (top + left) * QUELL_FIT_RECORD, position, normal),
                        (1.0f - fractionX) * (1.0f - fractionY));
-  sum = add3(sum, scale3(predict(records + (top + right) * QUELL_FIT_RECORD, position, normal),
+  sum = add3(sum, scale3(evaluateFit(records + (top + right) * QUELL_FIT_RECORD, position, normal),
                          fractionX * (1.0f - fractionY)));
-  sum = add3(sum, scale3(predict(records + (bottom + left) * QUELL_FIT_RECORD, position, normal),
+  sum = add3(sum, scale3(evaluateFit(records + (bottom + left) * QUELL_FIT_RECORD, position, normal),
                          (1.0f - fractionX) * fractionY));
-  sum = add3(sum, scale3(predict(records + (bottom + right) * QUELL_FIT_RECORD, position, normal),
+  sum = add3(sum, scale3(evaluateFit(records + (bottom + right) * QUELL_FIT_RECORD, position, normal),
                          fractionX * fractionY));
   const intL surface = dot3(normal, normal) > 0.0f && isFinite3(sum);
   const float3L result = select3(surface, clamp3(sum, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f));

@@ -5,7 +5,7 @@
 // Out:     linear radiance as 3 planes and, if the caller wants it, in the caller's layout; finite, in [0, 65504].
 //          Background and broken surfaces pass the signal through; a missing sample there is black.
 #include "accumulate_noisy_params.h"
-#include "common/demodulation.h"
+#include "common/material.h"
 #include "common/planes.h"
 #include "remodulate_params.h"
 
@@ -20,38 +20,24 @@ __kernel void remodulate(__global const float* filtered, __global const float* g
   const int lanes = min(QUELL_LANES, planes.width - x);
   const int index = planeIndex(planes, x, y);
 
-  const float3L radiance = LOAD_PIXELS(RADIANCE, radianceData, params.radiance, x, y, lanes);
-  float3L emission = splat3(0.0f);
-  float3L factor = splat3(1.0f);
-#if EMISSION_FORMAT
-  emission = LOAD_PIXELS(EMISSION, emissionData, params.emission, x, y, lanes);
-#endif
-#if ALBEDO_FORMAT && GLOSSCOLOR_FORMAT
-  factor = add3(cleanFactor3(LOAD_PIXELS(ALBEDO, albedoData, params.albedo, x, y, lanes)),
-                cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes)));
-#elif ALBEDO_FORMAT
-  factor = cleanFactor3(LOAD_PIXELS(ALBEDO, albedoData, params.albedo, x, y, lanes));
-#elif GLOSSCOLOR_FORMAT
-  factor = cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes));
-#endif
-  const intL emissionFinite = isFinite3(emission);
-  const intL finite = isFinite3(radiance) && emissionFinite;
-  const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * planes.stride, index, planes.stride);
-  const intL surface = dot3(normal, normal) > 0.0f;
+  const Material material =
+      LOAD_MATERIAL(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes);
+  float3L signal = cleanSignal(material.radiance, material.emission, material.finite);
 #if DEMODULATED
-  const float3L signal = multiply3(cleanSignal(radiance, splat3(0.0f), finite), factor);
+  signal = multiply3(signal, material.factor);
   float3L share = splat3(1.0f);
 #else
-  const float3L signal = cleanSignal(radiance, emission, finite);
-  float3L share = filteredShare3(factor);
+  float3L share = filteredShare3(material.factor);
 #endif
+  const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * planes.stride, index, planes.stride);
+  const intL surface = dot3(normal, normal) > 0.0f;
   share = select3(surface, share, splat3(0.0f));
 
-  float3L radianceOut = multiply3(factor, loadLanes3(filtered, index, planes.stride));
+  float3L radianceOut = multiply3(material.factor, loadLanes3(filtered, index, planes.stride));
   radianceOut.x = share.x * radianceOut.x + (1.0f - share.x) * signal.x;
   radianceOut.y = share.y * radianceOut.y + (1.0f - share.y) * signal.y;
   radianceOut.z = share.z * radianceOut.z + (1.0f - share.z) * signal.z;
-  radianceOut = add3(radianceOut, select3(emissionFinite, emission, splat3(0.0f)));
+  radianceOut = add3(radianceOut, select3(material.emissionFinite, material.emission, splat3(0.0f)));
   radianceOut = clamp3(radianceOut, 0.0f, QUELL_MAX_RADIANCE);
 #if WRITE_PLANES
   storeLanes3(radianceOut, linearPlanes, index, planes.stride);

@@ -25,20 +25,9 @@ __kernel void weighted_sum(__global const float* records, __global const float* 
   const int index = planeIndex(params.planes, x, y);
   const int stride = params.planes.stride;
 
-  float3L position = loadLanes3(guides + QUELL_GUIDE_POSITION * stride, index, stride);
+  const float3L position = loadLanes3(guides + QUELL_GUIDE_POSITION * stride, index, stride);
   const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * stride, index, stride);
-  position.x = (position.x - record[QUELL_FIT_ANCHOR]) * record[QUELL_FIT_SCALE];
-  position.y = (position.y - record[QUELL_FIT_ANCHOR + 1]) * record[QUELL_FIT_SCALE + 1];
-  position.z = (position.z - record[QUELL_FIT_ANCHOR + 2]) * record[QUELL_FIT_SCALE + 2];
-  floatL features[QUELL_FEATURES];
-  makeFeatures(features, normal, position);
-
-  float3L sum = splat3(0.0f);
-  for (int j = 0; j < QUELL_FEATURES; ++j) {
-    sum.x += features[j] * record[j * QUELL_FIT_CHANNELS];
-    sum.y += features[j] * record[j * QUELL_FIT_CHANNELS + 1];
-    sum.z += features[j] * record[j * QUELL_FIT_CHANNELS + 2];
-  }
+  const float3L sum = evaluateFit(record, position, normal);
   const intL surface = dot3(normal, normal) > 0.0f && isFinite3(sum);
   storeLanes3(select3(surface, clamp3(sum, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f)), fitted, index, stride);
 }

@@ -48,7 +48,7 @@ void checkOptions(const Options& options) {
     refuse("options.fitGroup", "0 or a power of two up to 256", group);
 }
 
-/// Enqueues the kernels of one frame and chains them on out-of-order queues.
+/// Enqueues the kernels of one frame; with `chain`, each waits for the one before.
 class QueueRun : public FrameRun {
  public:
   QueueRun(const Configuration& c, const Frame& f, const Output& o, const ReprojectionParams& r,
@@ -243,13 +243,16 @@ class Denoiser::Implementation {
         frame.camera, frame.size, m_method.discardLimits(m_configuration.settings), historyValid);
     if (m_outOfOrder && m_lastEvent() != nullptr) waitFor.push_back(m_lastEvent);
     const bool keepEvents = m_timer != nullptr || m_keepWarmUpEvents;
+    // On an in-order queue the chain carries on what a failing event of the wait list means for later kernels.
+    const bool chain = m_outOfOrder || !waitFor.empty();
     QueueRun run(m_configuration, frame, output, reprojection, m_frameIndex, m_buffers, m_queue,
-                 std::move(waitFor), m_outOfOrder, keepEvents);
+                 std::move(waitFor), chain, keepEvents);
     for (std::size_t i = 0; i < m_schedule.stages.size(); ++i) {
       run.beginStage(i, i + 1 == m_schedule.stages.size());
       m_schedule.stages[i].stage->enqueue(run);
     }
     m_lastEvent = run.lastEvent();
+    m_queue.flush();  // hands the work to the device; does not wait
     ++m_frameIndex;
     if (m_timer) {
       for (const auto& [stage, event] : run.events()) m_timer->add(stage, event);

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <locale>
 #include <quell/error.hpp>
 #include <quell/settings.hpp>
 #include <sstream>
@@ -10,16 +10,24 @@
 namespace quell {
 namespace {
 
+// The whole text as a number with a decimal point, whatever the host application's locale says.
+bool parseNumber(const std::string& text, double& value) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  stream >> value;
+  return !stream.fail() && stream.peek() == std::istringstream::traits_type::eof();
+}
+
+// The shortest text that reads back as the same number.
 std::string numberText(double value) {
   std::ostringstream stream;
-  stream.precision(17);
-  stream << value;
-  // The shortest text that reads back as the same number.
-  for (int digits = 1; digits < 17; ++digits) {
-    std::ostringstream shorter;
-    shorter.precision(digits);
-    shorter << value;
-    if (std::strtod(shorter.str().c_str(), nullptr) == value) return shorter.str();
+  stream.imbue(std::locale::classic());
+  for (int digits = 1; digits <= 17; ++digits) {
+    stream.str("");
+    stream.precision(digits);
+    stream << value;
+    double readBack = 0.0;
+    if (parseNumber(stream.str(), readBack) && readBack == value) break;
   }
   return stream.str();
 }
@@ -81,9 +89,8 @@ void Settings::set(const std::string& name, const std::string& text) {
     if (found == setting.choices.end()) refuse(setting, text);
     return set(name, static_cast<double>(found - setting.choices.begin()));
   }
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0') refuse(setting, text.empty() ? "nothing" : text);
+  double value = 0.0;
+  if (!parseNumber(text, value)) refuse(setting, text.empty() ? "nothing" : text);
   set(name, value);
 }
 

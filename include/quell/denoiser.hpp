@@ -105,8 +105,9 @@ class Denoiser {
   /// Enqueues the denoising of one frame; never builds, allocates device memory, copies through the host or
   /// blocks. Work starts when all events of the wait list have completed (on an in-order queue also after all
   /// earlier commands) and is done when the returned event has. Throws Error(NotPrepared) if the size or a
-  /// layout differs from what was prepared, Error(WrongContext) or Error(InvalidArgument) for unusable
-  /// buffers, before anything is enqueued.
+  /// layout differs from what was prepared, Error(WrongContext), Error(InvalidArgument) or Error(OutOfRange)
+  /// for unusable buffers, events or cameras, Error(DeviceError) for a wait-list event that has failed; all of
+  /// them before anything is enqueued. A frame that fails later restarts the history.
   Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList = {});
 
   /// Forgets all earlier frames, as a cut needs it. Does not block.

@@ -10,7 +10,7 @@ namespace quell {
 enum class ErrorCode {
   InvalidArgument,  ///< a value, size, layout or handle was refused before anything was launched
   UnknownSetting,   ///< a method or setting name that does not exist
-  OutOfRange,       ///< a setting outside its documented range
+  OutOfRange,       ///< a setting, or a camera for half positions, outside its documented range
   NotPrepared,      ///< denoise() before prepare(), or with a size or layout that was not prepared
   WrongContext,     ///< a buffer, queue or device that belongs to another OpenCL context
   BuildFailed,      ///< the device's compiler refused a kernel; `got` carries the build log

@@ -26,7 +26,7 @@ typedef struct BilinearTaps {
 QUELL_INLINE floatL affine(QuellFloat4 row, float3L p) { return row.x * p.x + row.y * p.y + row.z * p.z + row.w; }
 QUELL_INLINE floatL linear(QuellFloat4 row, float3L p) { return row.x * p.x + row.y * p.y + row.z * p.z; }
 
-// Camera-relative point at clip.w = 1 through the centre of pixel (x, y).
+// Camera-relative point at view depth 1 through the centre of pixel (x, y).
 QUELL_INLINE float3L viewRay(ReprojectionParams params, floatL x, floatL y) {
   float3L ray;
   ray.x = params.rayOrigin.x + x * params.rayX.x + y * params.rayY.x;
@@ -100,7 +100,7 @@ QUELL_INLINE floatL positionLimitSquared(ReprojectionParams params, Surface surf
   return limit * limit;
 }
 
-// World position (POSITION_*) or clip.w depth (DEPTH_*), and the normal, to a camera-relative surface point.
+// World position and normal to a camera-relative surface point.
 QUELL_INLINE Surface makeSurface(ReprojectionParams params, float3L positionWorld, float3L normal) {
   Surface surface;
   surface.position.x = (positionWorld.x - params.cameraHigh.x) - params.cameraLow.x;

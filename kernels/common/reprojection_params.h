@@ -21,7 +21,7 @@ typedef struct ReprojectionParams {
   QuellFloat4 cameraLow;
   // Previous camera position minus this one, world space (.xyz).
   QuellFloat4 cameraMotion;
-  // Camera-relative point at clip.w = 1 seen through pixel index (x, y): (columns) x * rayX + y * rayY + rayOrigin.
+  // Camera-relative point at view depth 1 seen through pixel index (x, y): x * rayX + y * rayY + rayOrigin.
   QuellFloat4 rayX;
   QuellFloat4 rayY;
   QuellFloat4 rayOrigin;

@@ -96,6 +96,16 @@ TEST_CASE("an output directory that cannot be made is an error and leaves nothin
   CHECK(io::readFile(directory.path() + "/file") == "in the way");
 }
 
+TEST_CASE("host times and the copy bandwidth need no profiling queue", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string json = directory.path() + "/report.json";
+  REQUIRE(quell({"denoise", "--size", "40x30", "--frame-count", "2", "--timers", "host", "--copy-bandwidth",
+                 "--json", json}) == 0);
+  const auto report = nlohmann::json::parse(io::readFile(json));
+  CHECK(report.at("time_source") == "host");
+  CHECK(report.at("copy_ms").get<double>() > 0.0);
+}
+
 TEST_CASE("help names every command and setting", "[cli]") {
   CHECK(quell({"--help"}) == 0);
   CHECK(quell({"denoise", "--help"}) == 0);

@@ -7,6 +7,7 @@
 #include "kernels/accumulate_filtered_params.h"
 #include "kernels/accumulate_noisy_params.h"
 #include "kernels/fit_params.h"
+#include "kernels/gram_params.h"
 #include "kernels/remodulate_params.h"
 #include "kernels/temporal_antialiasing_params.h"
 #include "kernels/tone_map_params.h"
@@ -35,6 +36,7 @@ std::vector<ParamsStruct> paramsStructs() {
       QUELL_PARAMS("common/reprojection_params.h", ReprojectionParams, historyValid),
       QUELL_PARAMS("accumulate_noisy_params.h", AccumulateNoisyParams, leastWeight),
       QUELL_PARAMS("fit_params.h", FitParams, noiseAmplitude),
+      QUELL_PARAMS("gram_params.h", GramParams, noiseVariance),
       QUELL_PARAMS("accumulate_filtered_params.h", AccumulateFilteredParams, leastWeight),
       QUELL_PARAMS("remodulate_params.h", RemodulateParams, output),
       QUELL_PARAMS("tone_map_params.h", ToneMapParams, output),

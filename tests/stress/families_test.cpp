@@ -30,7 +30,7 @@ TEST_CASE("gram keeps the bounds with one pixel a work-item") {
   FitterOptions options = testOptions();
   options.options.mapping = Mapping::Narrow;
   BlockFitter fitter(options);
-  checkFamilies(fitter, 32);
+  checkFamilies(fitter, 128);
 }
 
 TEST_CASE("a family's blocks depend on nothing but its name and the seed") {

@@ -17,6 +17,10 @@ constexpr std::uint32_t kSeeds = 1000;
 // An average of a thousand seeds is this many standard errors from its expectation at most, with 100
 // elements.
 constexpr double kStandardErrors = 5.0;
+// Predictions of the mean over seeds from gram's, RMS per deviation of the signal: up to 6e-4 was measured,
+// of which an average of a thousand seeds alone accounts for 5e-4 (a single seed: 0.008 to 0.017).
+constexpr double kMostMeanDifference = 2e-3;
+constexpr double kMostShareOfOne = 0.1;
 // Of elements that do not vary, absolute.
 constexpr double kRounding = 1e-9;
 
@@ -136,10 +140,10 @@ TEST_CASE("the mean of householder over noise seeds is close to gram") {
     const double ofMean = difference(example.problem, mean, coefficientsOf(example.gram));
     const double ofOne =
         difference(example.problem, coefficientsOf(example.householder[0]), coefficientsOf(example.gram));
-    WARN(family << ": mean over seeds " << ofMean << " from gram, one seed " << ofOne
+    INFO(family << ": mean over seeds " << ofMean << " from gram, one seed " << ofOne
                 << " (RMS, per deviation of the signal)");
-    CHECK(ofMean < 0.01);
-    CHECK(ofMean <= ofOne);
+    CHECK(ofMean < kMostMeanDifference);
+    CHECK(ofMean < kMostShareOfOne * ofOne);
   }
 }
 
