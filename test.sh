@@ -5,4 +5,4 @@ cd "$(dirname "$0")"
 scripts/install-dependencies test
 cmake --preset dev
 cmake --build --preset dev
-ctest --test-dir build/dev --output-on-failure "$@"
+ctest --test-dir build/dev --output-on-failure --parallel 2 "$@"

@@ -6,8 +6,9 @@
 //          before (2 planes) and the reprojection mask (bytes).
 // Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded: a cumulative mean
 //          first, an exponential one later.
-// Departures: history is double-buffered (the reference reads and overwrites it in one kernel); a pixel with a NaN or
-//          Inf anywhere is a missing sample: it keeps its history, or becomes a hole that the fit fills; positions are
+// Departures: history is double-buffered (the reference reads and overwrites it in one kernel); a NaN or Inf in
+//          radiance or emission is a missing sample: the pixel keeps its history, or becomes a hole that the fit
+//          fills; one in position or normal makes it pass through; positions are
 //          relative to the camera; see common/reprojection.h and common/demodulation.h for the rest.
 #include "accumulate_noisy_params.h"
 #include "common/material.h"
@@ -24,12 +25,12 @@ QUELL_INLINE Sample loadSample(__global const uchar* radianceData, __global cons
                                 AccumulateNoisyParams params, int x, int y, int lanes) {
   const Material material =
       LOAD_MATERIAL(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes);
-  const float3L signal = cleanSignal(material.radiance, material.emission, material.finite);
   Sample sample;
 #if DEMODULATED
-  sample.irradiance = signal;
+  sample.irradiance = cleanSignal(material.radiance, splat3(0.0f), material.finite);
   sample.weight = ONE_LANES;
 #else
+  const float3L signal = cleanSignal(material.radiance, material.emission, material.finite);
   sample.irradiance = demodulate(signal, material.factor, &sample.weight);
 #endif
   sample.present = material.finite && sample.weight > 0.0f;

@@ -78,14 +78,19 @@ __kernel void blended_sum(__global const float* records, __global const float* g
   const floatL fractionY =
       (TO_FLOAT((itemY % (GRAM_TILE_EDGE / ITEM_HEIGHT)) * ITEM_HEIGHT + LANE_Y) + 0.5f) * (1.0f / GRAM_TILE_EDGE);
 
-  float3L sum = scale3(evaluateFit(records + (top + left) * QUELL_FIT_RECORD, position, normal),
-                       (1.0f - fractionX) * (1.0f - fractionY));
-  sum = add3(sum, scale3(evaluateFit(records + (top + right) * QUELL_FIT_RECORD, position, normal),
-                         fractionX * (1.0f - fractionY)));
-  sum = add3(sum, scale3(evaluateFit(records + (bottom + left) * QUELL_FIT_RECORD, position, normal),
-                         (1.0f - fractionX) * fractionY));
-  sum = add3(sum, scale3(evaluateFit(records + (bottom + right) * QUELL_FIT_RECORD, position, normal),
-                         fractionX * fractionY));
+  float3L sum = splat3(0.0f);
+  floatL total = ZERO_LANES;
+  for (int corner = 0; corner < 4; ++corner) {
+    const int tile = (corner & 2 ? bottom : top) + (corner & 1 ? right : left);
+    __global const float* record = records + tile * QUELL_FIT_RECORD;
+    // A window without a single sample has nothing to say.
+    if (record[QUELL_FIT_SCALE] != 0.0f) {
+      const floatL share = (corner & 1 ? fractionX : 1.0f - fractionX) * (corner & 2 ? fractionY : 1.0f - fractionY);
+      sum = add3(sum, scale3(evaluateFit(record, position, normal), share));
+      total += share;
+    }
+  }
+  sum = scale3(sum, 1.0f / (total > 0.0f ? total : ONE_LANES));
   const intL surface = dot3(normal, normal) > 0.0f && isFinite3(sum);
   const float3L result = select3(surface, clamp3(sum, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f));
   storeItem(result.x, fitted + index, pitch);

@@ -1,5 +1,5 @@
 // fit: least-squares fit of the features to the accumulated irradiance, one 32x32 block a work-group.
-// Paper:   Koskela et al. 2019, phase II: augmented Householder QR [T + N, z], eq. (4) to (6), stochastic
+// Paper:   Koskela et al. 2019, phase II: augmented Householder QR [T + N, z], eq. (4) and (5), stochastic
 //          regularisation with uniform noise N of amplitude epsilon, all colour channels at once.
 // In:      irradiance (3 planes) and guides (7 planes) of this frame.
 // Out:     one record a block: 10 x 3 coefficients and the scaling of the positions (fit_params.h).
@@ -8,7 +8,7 @@
 //          then in a halving tree: the result does not depend on the work-group size.
 // Departures: pixels are weighted by guides.weight (0: hole or background), rows by its square root; positions are
 //          anchored at the block's minimum before they are squared, which spans the same space and needs no world
-//          origin; the noise differs from block to block; linearly dependent columns get no coefficient instead of a
+//          origin; the offsets are 16 evenly spread ones instead of random ones; the noise differs from block to block; linearly dependent columns get no coefficient instead of a
 //          division by zero.
 //
 // FIT_GROUP_SIZE work-items share a block; each owns the rows (i * FIT_GROUP_SIZE + id) * QUELL_LANES + lane and keeps
@@ -113,22 +113,22 @@ QUELL_INLINE floatL reflectAndDot(COLUMNS_ARGUMENT, int k, int j, float along, i
   return sumChunks(sums);
 }
 
-// Sums of `count` per-item values over the work-group, in a halving tree. All work-items get the result.
-QUELL_INLINE void groupSum(__local floatL* exchange, int id, floatL* values, int first, int count) {
+// Sums of per-item values `first` to `end` - 1 over the work-group, in a halving tree. All work-items get the result.
+QUELL_INLINE void groupSum(__local floatL* exchange, int id, floatL* values, int first, int end) {
 #if FIT_GROUP_SIZE > 1
   UNROLL
-  for (int k = first; k < count; ++k) exchange[k * FIT_GROUP_SIZE + id] = values[k];
+  for (int k = first; k < end; ++k) exchange[k * FIT_GROUP_SIZE + id] = values[k];
   GROUP_BARRIER;
   for (int active = FIT_GROUP_SIZE / 2; active > 0; active /= 2) {
     if (id < active) {
       UNROLL
-      for (int k = first; k < count; ++k)
+      for (int k = first; k < end; ++k)
         exchange[k * FIT_GROUP_SIZE + id] += exchange[k * FIT_GROUP_SIZE + id + active];
     }
     GROUP_BARRIER;
   }
   UNROLL
-  for (int k = first; k < count; ++k) values[k] = exchange[k * FIT_GROUP_SIZE];
+  for (int k = first; k < end; ++k) values[k] = exchange[k * FIT_GROUP_SIZE];
   GROUP_BARRIER;
 #endif
 }

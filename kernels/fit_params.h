@@ -9,7 +9,7 @@ QUELL_NAMESPACE_BEGIN
 typedef struct FitParams {
   PlaneParams planes;
   QuellInt blockOffsetX;  // column of the first block's first pixel, in [-32, -1]
-  QuellInt blockOffsetY;  // row of it
+  QuellInt blockOffsetY;  // row of it, in the same range
   QuellInt blocksX;       // blocks in a row of the grid
   QuellInt blocksY;
   QuellUint noiseSeed;    // changes every frame

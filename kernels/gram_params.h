@@ -9,7 +9,7 @@ QUELL_NAMESPACE_BEGIN
 
 typedef struct GramParams {
   PlaneParams planes;
-  QuellInt tileOffsetX;      // column of the first tile's first pixel
+  QuellInt tileOffsetX;      // column of the first tile's first pixel: [-32, -1] for blocks, (-edge, 0] for overlap
   QuellInt tileOffsetY;      // row of it
   QuellInt tilesX;           // tiles in a row of the grid
   QuellInt tilesY;
@@ -33,11 +33,8 @@ QUELL_NAMESPACE_END
 #define QUELL_GRAM_PIVOT_TOLERANCE 2e-6f
 // A variance at or below this share of the mean square is rounding noise: the feature is constant.
 #define QUELL_GRAM_VARIANCE_TOLERANCE 2e-6f
-// A window with a smaller sum of weights, two pixels a coefficient, gets its mean alone: a fit would follow the noise of
-// those pixels and be extrapolated to all that have no sample.
+// A window with a smaller sum of weights, two pixels a coefficient, gets its mean alone: a fit would follow the noise
+// of those pixels and be extrapolated to all that have no sample.
 #define QUELL_GRAM_LEAST_WEIGHT (2.0f * QUELL_FEATURES)
-// A feature with a larger sum of squares is left out: products of two such features would overflow. Only positions that
-// are not scaled (range below QUELL_FIT_LEAST_RANGE) get there, from a view distance of about 1e12 scene units.
-#define QUELL_GRAM_MOST_SQUARE 1e37f
 
 #endif

@@ -1,6 +1,6 @@
 // gram_solve: from the sums of tiles to the coefficients of a fit, one window a lane.
 // Paper:   Koskela et al. 2019, eq. (2), by normal equations instead of a factorisation of the pixels.
-// In:      tile buffer of gram_sums. Out: one record a window, as fit.cl writes it.
+// In:      tile buffer of gram_sums. Out: one record a window, as fit.cl writes it; scale 0 where no pixel had a sample.
 // Windows: GRAM_OVERLAP 0: a window is a tile. 1: the tile and its eight neighbours, weighted with a tent
 //          (1/4, 1/2, 1) per axis; their sums are first taken to the scaling of the window, exactly: with
 //          w' = r w + t per axis, w'^2 = r^2 w^2 + 2 r t w + t^2, the Gram matrix G becomes M G M^T.
@@ -133,8 +133,7 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
   for (int j = 0; j < VARIED; ++j) {
     const floatL square = sums[QUELL_GRAM_INDEX(j + 1, j + 1)];
     const floatL variance = square - sums[QUELL_GRAM_INDEX(0, j + 1)] * mean[j + 1];
-    const intL usable = weight >= QUELL_GRAM_LEAST_WEIGHT && square <= QUELL_GRAM_MOST_SQUARE &&
-                        variance > QUELL_GRAM_VARIANCE_TOLERANCE * square;
+    const intL usable = weight >= QUELL_GRAM_LEAST_WEIGHT && variance > QUELL_GRAM_VARIANCE_TOLERANCE * square;
     const floatL counted = usable ? variance : ZERO_LANES;
     const floatL regularised = counted + weight * noiseVariance;
     inverseDeviation[j] = counted > 0.0f ? 1.0f / SQRT(counted > 0.0f ? regularised : ONE_LANES) : ZERO_LANES;
@@ -144,9 +143,7 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
   for (int i = 0; i < VARIED; ++i) {
     for (int j = 0; j < i; ++j) {
       const floatL covariance = sums[QUELL_GRAM_INDEX(j + 1, i + 1)] - sums[QUELL_GRAM_INDEX(0, i + 1)] * mean[j + 1];
-      // A dropped feature's sums may have overflowed, so its covariances are dropped, not multiplied by zero.
-      const intL bothCount = inverseDeviation[i] > 0.0f && inverseDeviation[j] > 0.0f;
-      factor[LOWER(i, j)] = bothCount ? covariance * inverseDeviation[i] * inverseDeviation[j] : ZERO_LANES;
+      factor[LOWER(i, j)] = covariance * inverseDeviation[i] * inverseDeviation[j];
     }
     factor[LOWER(i, i)] = inverseDeviation[i] > 0.0f ? ONE_LANES : ZERO_LANES;
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c) {
@@ -209,6 +206,7 @@ __kernel void gram_solve(__global const float* tiles, __global float* records, G
   floatL coefficients[QUELL_FEATURES][QUELL_FIT_CHANNELS];
   solveWindow(sums, params.noiseVariance, coefficients);
 
+  const intL hasSamples = sums[QUELL_GRAM_INDEX(0, 0)] > 0.0f;
   for (int lane = 0; lane < min(QUELL_LANES, count - first); ++lane) {
     __global float* record = records + (first + lane) * QUELL_FIT_RECORD;
     for (int j = 0; j < QUELL_FEATURES; ++j)
@@ -216,7 +214,7 @@ __kernel void gram_solve(__global const float* tiles, __global float* records, G
         storeLane(record, j * QUELL_FIT_CHANNELS + c, coefficients[j][c], lane);
     for (int axis = 0; axis < 3; ++axis) {
       storeLane(record, QUELL_FIT_ANCHOR + axis, range.anchor[axis], lane);
-      storeLane(record, QUELL_FIT_SCALE + axis, range.scale[axis], lane);
+      storeLane(record, QUELL_FIT_SCALE + axis, hasSamples ? range.scale[axis] : ZERO_LANES, lane);
     }
   }
 }

@@ -5,7 +5,7 @@
 //          positions, one plane per number (gram_params.h). Positions are scaled to [0, 1] by that range, as in fit.cl.
 // Tiles:   GRAM_TILE_EDGE pixels square. With GRAM_MIRROR pixels outside the image are mirrored (blocks of 32, as in
 //          fit.cl), else they are left out.
-// Why:     the factorisation in fit.cl passes over 13 columns of 1024 numbers 85 times; this is one pass.
+// Why:     the factorisation in fit.cl makes 85 passes over columns of 1024 numbers; this is one pass over the pixels.
 //
 // GRAM_GROUP_SIZE 1: one work-item a tile, sixteen pixels at once, all 91 sums held by it. Above: the work-group
 // stages columns in local memory and every work-item owns some of the sums. Both add in one fixed order.

@@ -22,11 +22,12 @@ __kernel void remodulate(__global const float* filtered, __global const float* g
 
   const Material material =
       LOAD_MATERIAL(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes);
-  float3L signal = cleanSignal(material.radiance, material.emission, material.finite);
 #if DEMODULATED
-  signal = multiply3(signal, material.factor);
+  const float3L signal =
+      multiply3(cleanSignal(material.radiance, splat3(0.0f), material.finite), material.factor);
   float3L share = splat3(1.0f);
 #else
+  const float3L signal = cleanSignal(material.radiance, material.emission, material.finite);
   float3L share = filteredShare3(material.factor);
 #endif
   const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * planes.stride, index, planes.stride);

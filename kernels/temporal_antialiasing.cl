@@ -10,7 +10,7 @@
 #include "common/reprojection.h"
 #include "temporal_antialiasing_params.h"
 
-// RGB to YCoCg with gains 4, 2, 4 left in; the inverse takes them out.
+// RGB to YCoCg with gains of 4 left in; the inverse takes them out.
 QUELL_INLINE float3L toYCoCg(float3L rgb) {
   float3L v;
   v.x = rgb.x + 2.0f * rgb.y + rgb.z;

@@ -1,4 +1,4 @@
-// What the denoise command says about time and error, as text and as JSON.
+// What the commands denoise and bench say about time and error, as text and as JSON.
 #pragma once
 
 #include <cstdint>

@@ -69,8 +69,6 @@ class DenoiseSession::Implementation {
     return {download(m_output.linear), download(m_output.display)};
   }
 
-  void repeat() { m_denoiser.denoise(m_frame, m_output).wait(); }
-
   const DeviceInfo m_info;
   cl::Device m_device;
   cl::Context m_context;
@@ -125,10 +123,6 @@ DenoisedFrame DenoiseSession::denoise(const io::FrameData& frame) {
 
 void DenoiseSession::run(const io::FrameData& frame) {
   withClErrors("denoise", [&] { m_implementation->run(frame); });
-}
-
-void DenoiseSession::repeat() {
-  withClErrors("denoise", [&] { m_implementation->repeat(); });
 }
 
 const DeviceInfo& DenoiseSession::device() const {

@@ -28,8 +28,6 @@ class DenoiseSession {
   DenoisedFrame denoise(const io::FrameData& frame);
   /// Uploads and denoises, but leaves the outputs on the device; blocks. For timing.
   void run(const io::FrameData& frame);
-  /// Denoises the frame uploaded last once more, without any transfer; blocks. For timing.
-  void repeat();
 
   const DeviceInfo& device() const;
   Denoiser& denoiser();

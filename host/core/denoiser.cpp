@@ -242,17 +242,25 @@ class Denoiser::Implementation {
     const ReprojectionParams reprojection = makeReprojectionParams(
         frame.camera, frame.size, m_method.discardLimits(m_configuration.settings), historyValid);
     if (m_outOfOrder && m_lastEvent() != nullptr) waitFor.push_back(m_lastEvent);
-    const bool keepEvents = m_timer != nullptr || m_keepWarmUpEvents;
-    // On an in-order queue the chain carries on what a failing event of the wait list means for later kernels.
+    const bool keepEvents = m_timer != nullptr;
+    // On an in-order queue the chain carries on what a failing event of the wait list means for later
+    // kernels.
     const bool chain = m_outOfOrder || !waitFor.empty();
     QueueRun run(m_configuration, frame, output, reprojection, m_frameIndex, m_buffers, m_queue,
                  std::move(waitFor), chain, keepEvents);
-    for (std::size_t i = 0; i < m_schedule.stages.size(); ++i) {
-      run.beginStage(i, i + 1 == m_schedule.stages.size());
-      m_schedule.stages[i].stage->enqueue(run);
+    try {
+      for (std::size_t i = 0; i < m_schedule.stages.size(); ++i) {
+        run.beginStage(i, i + 1 == m_schedule.stages.size());
+        m_schedule.stages[i].stage->enqueue(run);
+      }
+      m_queue.flush();  // hands the work to the device; does not wait
+    } catch (...) {
+      // Whatever was enqueued still runs: later frames come after it, and start afresh.
+      if (run.lastEvent()() != nullptr) m_lastEvent = run.lastEvent();
+      m_frameIndex = 0;
+      throw;
     }
     m_lastEvent = run.lastEvent();
-    m_queue.flush();  // hands the work to the device; does not wait
     ++m_frameIndex;
     if (m_timer) {
       for (const auto& [stage, event] : run.events()) m_timer->add(stage, event);
@@ -265,9 +273,7 @@ class Denoiser::Implementation {
   void warmUp() {
     const WarmUpImages images(m_context, m_queue, m_configuration.frame, m_configuration.output);
     m_frameIndex = 0;
-    m_keepWarmUpEvents = m_configuration.options.timers == TimerMode::Device;
     record(images.frame, images.output, {});
-    m_keepWarmUpEvents = false;
     m_queue.finish();
     startTimer();
   }
@@ -310,7 +316,6 @@ class Denoiser::Implementation {
   std::uint32_t m_frameIndex = 0;
   bool m_outOfOrder = false;
   bool m_prepared = false;
-  bool m_keepWarmUpEvents = false;
 };
 
 Denoiser::Denoiser(cl_context context, cl_device_id device, cl_command_queue queue, const Settings& settings,

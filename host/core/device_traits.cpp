@@ -11,7 +11,6 @@ DeviceTraits queryDeviceTraits(const cl::Device& device, Mapping mapping) {
   const bool wide = mapping == Mapping::Wide || (mapping == Mapping::Automatic && traits.isCpu);
   traits.lanes = wide ? 16 : 1;
   traits.maxWorkGroup = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
-  traits.localMemoryBytes = device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
   return traits;
 }
 

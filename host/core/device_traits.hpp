@@ -14,7 +14,6 @@ struct DeviceTraits {
   bool isCpu = false;
   int lanes = 1;  ///< pixels per work-item of the per-pixel kernels, 1 or 16
   std::size_t maxWorkGroup = 1;
-  std::size_t localMemoryBytes = 0;
 };
 
 DeviceTraits queryDeviceTraits(const cl::Device& device, Mapping mapping);

@@ -28,8 +28,6 @@ class FrameTimer {
   Timings collect();
   void clear();
 
-  TimeSource source() const { return m_source; }
-
   /// True if a completed event carries plausible device times (some runtimes report 0 for all of them).
   static bool hasDeviceTimes(const cl::Event& event);
 

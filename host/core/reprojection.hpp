@@ -20,8 +20,8 @@ struct DiscardLimits {
 ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const DiscardLimits& limits,
                                           bool historyValid);
 
-/// World position of the camera: where clip x, y and w vanish; for orthographic cameras a point on the near
-/// plane in the middle of the view. Throws as above.
+/// World position of the camera: where clip x, y and w vanish; for orthographic cameras the point of the
+/// view axis that is nearest the world origin. Throws as above.
 std::array<double, 3> cameraPositionWorld(const Matrix4& worldToClip, const char* name);
 
 /// True if clip.w does not depend on the position.

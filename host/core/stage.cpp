@@ -30,6 +30,12 @@ std::size_t KernelBuilder::maxWorkGroup(const cl::Kernel& kernel) const {
                   kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(m_device));
 }
 
+std::size_t KernelBuilder::groupSize(int wish, std::size_t usual) const {
+  std::size_t size = wish > 0 ? static_cast<std::size_t>(wish) : usual;
+  while (size > 1 && size > m_configuration.device.maxWorkGroup) size /= 2;
+  return size;
+}
+
 cl::NDRange KernelBuilder::pixelWorkGroup(const cl::Kernel& kernel) const {
   const auto& wish = m_configuration.options.workGroup;
   const auto& usual = m_configuration.device.isCpu ? kCpuWorkGroup : kGpuWorkGroup;

@@ -28,6 +28,9 @@ class KernelBuilder {
   /// Largest work-group that device and kernel allow.
   std::size_t maxWorkGroup(const cl::Kernel& kernel) const;
 
+  /// A power of two, `wish` if that is positive, else `usual`; halved until the device allows it.
+  std::size_t groupSize(int wish, std::size_t usual) const;
+
   /// Work-group of a per-pixel kernel: the caller's wish or a good default, reduced to what is allowed.
   cl::NDRange pixelWorkGroup(const cl::Kernel& kernel) const;
 

@@ -102,7 +102,6 @@ bool sameLayout(const ImageView& a, const ImageView& b, int width) {
   if (a.present() != b.present()) return false;
   return !a.present() ||
          (a.format == b.format && a.channels == b.channels && a.pixelStride() == b.pixelStride() &&
-          a.offsetBytes % a.componentBytes() == b.offsetBytes % b.componentBytes() &&
           a.rowPitch(width) == b.rowPitch(width));
 }
 

@@ -54,12 +54,10 @@ std::size_t Fit::storageElements(Size size, FeatureStorage storage) {
 
 void Fit::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
-  const bool wide = configuration.device.lanes > 1;
-  const int wish = configuration.options.fitGroup;
-  m_groupSize = wish > 0 ? static_cast<std::size_t>(wish) : wide ? 1 : kGpuGroup;
+  const auto lanes = static_cast<std::size_t>(configuration.device.lanes);
   // 256 logical lanes are shared out, so lanes and work-items together must not exceed them.
-  m_groupSize = std::min(m_groupSize, kGpuGroup / static_cast<std::size_t>(configuration.device.lanes));
-  m_groupSize = std::min(m_groupSize, configuration.device.maxWorkGroup);
+  m_groupSize = std::min(builder.groupSize(configuration.options.fitGroup, lanes > 1 ? 1 : kGpuGroup),
+                         kGpuGroup / lanes);
   for (;; m_groupSize /= 2) {
     m_kernel =
         builder.build("fit", "-D FIT_GROUP_SIZE=" + std::to_string(m_groupSize) +

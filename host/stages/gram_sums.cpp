@@ -7,17 +7,14 @@ namespace {
 
 // Work-items that share a tile on GPUs: enough for the 91 sums, one each.
 constexpr std::size_t kGpuGroup = 128;
-// Work-group of the mapping with a tile a work-item.
-constexpr std::size_t kTileGroup = 1;
 
 }  // namespace
 
 void GramSums::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
-  const int wish = configuration.options.fitGroup;
-  const bool wide = configuration.device.lanes > 1;
-  m_groupSize = wide ? 1 : wish > 1 ? static_cast<std::size_t>(wish) : kGpuGroup;
-  m_groupSize = std::min(m_groupSize, configuration.device.maxWorkGroup);
+  // With sixteen lanes a work-item has a tile to itself.
+  m_groupSize =
+      configuration.device.lanes > 1 ? 1 : builder.groupSize(configuration.options.fitGroup, kGpuGroup);
   for (;; m_groupSize /= 2) {
     m_kernel = builder.build("gram_sums", "-D GRAM_GROUP_SIZE=" + std::to_string(m_groupSize) +
                                               " -D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge) +
@@ -29,8 +26,7 @@ void GramSums::build(const KernelBuilder& builder) {
 void GramSums::enqueue(FrameRun& run) {
   const GramParams params = makeGramParams(m_windows, run.configuration.size(), run.frameIndex, 0.0);
   const std::size_t tiles = static_cast<std::size_t>(params.tilesX) * static_cast<std::size_t>(params.tilesY);
-  const std::size_t group = m_groupSize > 1 ? m_groupSize : kTileGroup;
-  run.launch(m_kernel, {tiles * m_groupSize, 1}, cl::NDRange(group, 1), run.buffer("irradiance"),
+  run.launch(m_kernel, {tiles * m_groupSize, 1}, cl::NDRange(m_groupSize, 1), run.buffer("irradiance"),
              run.buffer("guides"), run.buffer("gramTiles"), params);
 }
 

@@ -22,14 +22,10 @@ GramParams makeGramParams(const GramWindows& windows, Size size, std::uint32_t f
   params.planes = makePlanes(size);
   // Tiles follow the displacement of the blocks, so that no grid stands still while frames accumulate.
   const FitParams blocks = makeFitParams(size, frameIndex, 0.0);
-  params.tileOffsetX = blocks.blockOffsetX % windows.tileEdge;
-  params.tileOffsetY = blocks.blockOffsetY % windows.tileEdge;
+  params.tileOffsetX = windows.overlap ? blocks.blockOffsetX % windows.tileEdge : blocks.blockOffsetX;
+  params.tileOffsetY = windows.overlap ? blocks.blockOffsetY % windows.tileEdge : blocks.blockOffsetY;
   params.tilesX = tilesAlong(size.width, windows.tileEdge);
   params.tilesY = tilesAlong(size.height, windows.tileEdge);
-  if (!windows.overlap) {
-    params.tileOffsetX = blocks.blockOffsetX;
-    params.tileOffsetY = blocks.blockOffsetY;
-  }
   params.tileStride = tileCount(params);
   params.noiseVariance = static_cast<float>(noiseAmplitude * noiseAmplitude / 3.0);
   return params;

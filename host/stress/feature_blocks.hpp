@@ -32,7 +32,7 @@ void makeSurfaceEdge(Block& block, Random& random);
 void makeSkyEdge(Block& block, Random& random);
 /// A surface pushed away from the camera by 1e2 to 1e7, as through a telescope.
 void makeDistant(Block& block, Random& random);
-/// At 1e8 to 1e17 scene units, its extent 1e-6 to 1e-3 of that: squares of unscaled positions may overflow.
+/// At 1e8 to 1e17 scene units, its extent 1e-6 to 1e-3 of that: fourth powers of positions would overflow.
 void makeVeryDistant(Block& block, Random& random);
 /// All pixels equal in their features but one.
 void makeOddFeatures(Block& block, Random& random);

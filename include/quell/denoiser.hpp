@@ -34,7 +34,8 @@ struct Options {
   Mapping mapping = Mapping::Automatic;
   /// Work-group of the per-pixel kernels, work-items in x and y; 0: chosen from what device and kernel allow.
   std::array<int, 2> workGroup{0, 0};
-  /// Work-items that share a block in the fit, a power of two up to 256; 0: chosen.
+  /// Work-items that share a block in the fit, a power of two up to 256; 0: chosen. With the wide mapping at
+  /// most 16 (`householder`) or 1 (`gram`).
   int fitGroup = 0;
   /// Where compiled kernels are kept. Absent: $XDG_CACHE_HOME/quell or ~/.cache/quell; empty string: nowhere.
   std::optional<std::string> cacheDirectory;
@@ -106,8 +107,8 @@ class Denoiser {
   /// blocks. Work starts when all events of the wait list have completed (on an in-order queue also after all
   /// earlier commands) and is done when the returned event has. Throws Error(NotPrepared) if the size or a
   /// layout differs from what was prepared, Error(WrongContext), Error(InvalidArgument) or Error(OutOfRange)
-  /// for unusable buffers, events or cameras, Error(DeviceError) for a wait-list event that has failed; all of
-  /// them before anything is enqueued. A frame that fails later restarts the history.
+  /// for unusable buffers, events or cameras, Error(DeviceError) for a wait-list event that has failed; all
+  /// of them before anything is enqueued. A frame that fails later restarts the history.
   Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList = {});
 
   /// Forgets all earlier frames, as a cut needs it. Does not block.

@@ -15,8 +15,8 @@ struct Frame {
   Size size;
   Camera camera;
 
-  /// Linear radiance with emission included, 1 to 4 channels (one is spread to RGB, a fourth ignored), one
-  /// sample per pixel or more. Negative values count as 0, values above 65504 as 65504.
+  /// Linear radiance with emission included, 1, 3 or 4 channels (one is spread to RGB, a fourth ignored), one
+  /// sample per pixel or more. Radiance minus emission is clamped to [0, 65504].
   ImageView radiance;
   /// Shading normal, world space, unit length (0.5 to 2 is tolerated), 3 or 4 channels. A zero normal marks
   /// background, which passes through unfiltered.
@@ -42,7 +42,7 @@ struct Frame {
 constexpr double kHalfPositionRange = 32.0;
 
 /// Outputs of one frame, either or both; 3 or 4 channels (a fourth becomes 1). Every pixel is written, always
-/// finite.
+/// finite. `linear` may be the radiance image itself in the same layout; no other overlap with an input.
 struct Output {
   ImageView linear;   ///< linear radiance before tone map and TAA, 0 to 65504
   ImageView display;  ///< display-encoded (gamma 2.2) after TAA, 0 to 1

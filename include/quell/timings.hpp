@@ -14,7 +14,8 @@ enum class TimeSource {
   Host,    ///< completion callbacks: for runtimes whose events carry no times; includes scheduling delays
 };
 
-/// Statistics over the frames since timers were last cleared, milliseconds. Empty: all zero.
+/// Statistics over the frames since timers were last cleared, at most the latest 4096, milliseconds. Empty:
+/// all zero.
 struct TimeStatistics {
   std::size_t count = 0;
   double medianMs = 0.0;

@@ -10,7 +10,7 @@
 #define QUELL_DISPLAY_GAMMA 2.2f
 
 // log2 for normal positive v: v = 2^e m with m in [sqrt(1/2), sqrt(2)); log2(m) from the series of
-// 2 artanh((m - 1) / (m + 1)), whose first dropped term is below 4e-10.
+// 2 artanh((m - 1) / (m + 1)), whose first dropped term is below 1e-9.
 QUELL_INLINE floatL log2Lanes(floatL v) {
   const intL bits = AS_INT(v) - 0x3f3504f3;  // exponent steps at sqrt(1/2) instead of at 1
   const intL exponent = bits >> 23;

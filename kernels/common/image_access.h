@@ -9,7 +9,6 @@
 #include "common/lanes.h"
 #include "common/types.h"
 
-#define QUELL_FORMAT_ABSENT 0
 #define QUELL_FORMAT_FLOAT 1
 #define QUELL_FORMAT_HALF 2
 
@@ -113,8 +112,7 @@ QUELL_INLINE float3L loadPixels(__global const void* data, ImageViewParams view,
 #if QUELL_LANES == 16
   if (lanes == 16) {
     if (channels == 3 && stride == 3) return loadPacked3(data, first, format);
-    // Four components are read whole, so the fourth must exist; a row's last pixel is followed by nothing.
-    if (channels >= 3 && stride == 4 && (channels == 4)) return loadPacked4(data, first, format);
+    if (channels == 4 && stride == 4) return loadPacked4(data, first, format);
     if (channels == 1 && stride == 1) {
       float3L grey;
       grey.x = loadComponents16(data, first, format);

@@ -69,14 +69,6 @@ QUELL_INLINE intL floorLanes(floatL v) {
 // finite arithmetic.
 QUELL_INLINE intL isFinite(floatL v) { return (AS_INT(v) & 0x7f800000) != 0x7f800000; }
 
-QUELL_INLINE int allLanes(intL mask) {
-#if QUELL_LANES == 1
-  return mask;
-#else
-  return all(mask);
-#endif
-}
-
 QUELL_INLINE int anyLane(intL mask) {
 #if QUELL_LANES == 1
   return mask;

@@ -17,7 +17,7 @@ QUELL_INLINE uint hashScalar(uint v) {
   return (word >> 22) ^ word;
 }
 
-// Uniform in [-1, 1).
+// Uniform in [-1, 1]: the bits as a signed number times 2^-31.
 QUELL_INLINE floatL signedUnit(uintL bits) { return TO_FLOAT(AS_INT(bits)) * 4.6566128730773926e-10f; }
 
 #endif

@@ -51,12 +51,16 @@ QUELL_INLINE intL reproject(ReprojectionParams params, float3L position, intL is
   const floatL y = (linear(params.pixelYPrev, position) + translate * params.pixelYPrev.w) * inverse;
   const intL inside =
       w > 0.0f && x > -1.0f && x < (float)width && y > -1.0f && y < (float)height && params.historyValid != 0;
-  *xPrev = inside ? roundToSubpixel(inside ? x : ZERO_LANES) : ZERO_LANES;
-  *yPrev = inside ? roundToSubpixel(inside ? y : ZERO_LANES) : ZERO_LANES;
-  return inside;
+  const floatL xRounded = roundToSubpixel(inside ? x : ZERO_LANES);
+  const floatL yRounded = roundToSubpixel(inside ? y : ZERO_LANES);
+  // Rounding may reach the border itself, where no tap is left.
+  const intL stillInside = inside && xRounded < (float)width && yRounded < (float)height;
+  *xPrev = stillInside ? xRounded : ZERO_LANES;
+  *yPrev = stillInside ? yRounded : ZERO_LANES;
+  return stillInside;
 }
 
-// Bilinear taps at pixel index (x, y), which must lie in [-1, width] x [-1, height].
+// Bilinear taps at pixel index (x, y), which must lie in [-1, width) x [-1, height).
 QUELL_INLINE BilinearTaps bilinearTaps(PlaneParams planes, floatL x, floatL y) {
   BilinearTaps taps;
   const intL column = floorLanes(x);

@@ -46,10 +46,13 @@ Comparison GramSolveCase::comparePixels() const {
   return comparePredictions(fits);
 }
 
-Comparison GramSolveCase::compareRecords(const Planes& others) const {
+Comparison GramSolveCase::compareRecords(const Planes& others, double leastWeight) const {
   std::vector<GramFit> fits(std::size_t(gramTileCount(inputs.params)));
-  for (std::size_t window = 0; window < fits.size(); ++window)
-    fits[window].record = unpackRecord(others, int(window));
+  for (int window = 0; window < int(fits.size()); ++window) {
+    GramFit& fit = fits[std::size_t(window)];
+    fit.record = unpackRecord(others, window);
+    fit.undecided = windowOfTiles(solveInputs(), window).sums(0, 0) < leastWeight;
+  }
   return comparePredictions(fits);
 }
 
@@ -86,7 +89,8 @@ Comparison GramSolveCase::comparePredictions(const std::vector<GramFit>& exact) 
     const FitRecord record = unpackRecord(device, window);
     const std::vector<BlockPixel> pixels = windowPixels(window);
     const double scale = brightest(inputs.irradiance, pixels);
-    const std::string name = "prediction of window " + std::to_string(window);
+    const std::string name = "prediction of window " + std::to_string(window) + " (condition " +
+                             std::to_string(int(fit.condition)) + ")";
     for (const BlockPixel p : pixels) {
       const Eigen::RowVector3d predicted = features(inputs.guides, record, p.x, p.y) * record.coefficients;
       const Eigen::RowVector3d wanted =

@@ -7,12 +7,12 @@
 namespace quell::tests {
 
 /// Predictions at the window's pixels, relative to the window's brightest irradiance, against the solution of
-/// the same sums: rounding of 6e-8 times a part of the condition, which the noise keeps below about 1e5.
-constexpr double kGramSolveTolerance = 1e-4;
-/// The same against sums straight from the pixels: the tiles' sums are floats.
-constexpr double kGramPixelsTolerance = 1e-4;
+/// the same sums: rounding of 6e-8 times a part of the condition, which the noise keeps below about 5e4.
+constexpr double kGramSolveTolerance = 1e-3;
+/// The same against sums straight from the pixels: the tiles' sums are rounded to float in their own scaling.
+constexpr double kGramPixelsTolerance = 1e-3;
 /// Coefficients, relative to the largest of their channel, where the condition is below kGramWellConditioned.
-constexpr double kGramCoefficientTolerance = 1e-5;
+constexpr double kGramCoefficientTolerance = 1e-4;
 constexpr double kGramWellConditioned = 100.0;
 
 class GramSolveCase : public StageCase {
@@ -34,8 +34,8 @@ class GramSolveCase : public StageCase {
   double tolerance() const override { return kGramSolveTolerance; }
   /// Predictions against the solution of sums straight from the pixels, after run().
   Comparison comparePixels() const;
-  /// Predictions against those of other records.
-  Comparison compareRecords(const Planes& others) const;
+  /// Predictions against those of other records, in windows with at least this sum of weights.
+  Comparison compareRecords(const Planes& others, double leastWeight = 0.0) const;
   /// Coefficients of the well-conditioned windows, after run().
   Comparison compareCoefficients() const;
   Planes records() const { return m_harness.download("fitRecords"); }

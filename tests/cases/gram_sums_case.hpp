@@ -13,7 +13,7 @@ constexpr GramWindows kOverlap8{true, 8};
 constexpr GramWindows kOverlap16{true, 16};
 
 /// Of a sum of a * b, relative to sqrt(sum of a^2 * sum of b^2): up to 1024 products are added in turn.
-constexpr double kGramSumTolerance = 5e-6;
+constexpr double kGramSumTolerance = 2e-6;
 
 /// A schedule with the stages of a gram fit.
 StageSetup makeGramSetup(const CaseOptions& options, const GramWindows& windows, double noiseAmplitude);

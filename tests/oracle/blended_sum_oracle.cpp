@@ -43,6 +43,7 @@ BlendedSumExact blendedSumOracle(const BlendedSumInputs& inputs) {
     const Neighbours h = horizontal.neighbours(x), v = vertical.neighbours(y);
     Eigen::RowVector3d sum = Eigen::RowVector3d::Zero(), magnitude = sum;
     bool background = false;
+    double total = 0.0;
     for (int corner = 0; corner < 4; ++corner) {
       const bool right = corner % 2 == 1, below = corner / 2 == 1;
       const int column = right ? h.after : h.before, row = below ? v.after : v.before;
@@ -50,10 +51,14 @@ BlendedSumExact blendedSumOracle(const BlendedSumInputs& inputs) {
       const FitRecord record = unpackRecord(inputs.records, row * inputs.params.tilesX + column);
       const auto t = features(inputs.guides, record, x, y);
       background = t.segment<3>(1).isZero(0.0);
+      if (record.scale[0] == 0.0) continue;  // a window without a sample
       sum += share * t * record.coefficients;
       magnitude += share * t.cwiseAbs() * record.coefficients.cwiseAbs();
+      total += share;
     }
-    if (background) return;
+    if (background || total == 0.0) return;
+    sum /= total;
+    magnitude /= total;
     for (int c = 0; c < 3; ++c) {
       exact.fitted.at(c, x, y) = std::clamp<double>(sum[c], 0.0, QUELL_MAX_RADIANCE);
       exact.magnitude.at(c, x, y) = magnitude[c];

@@ -39,7 +39,7 @@ GramMatrix centred(const GramMatrix& sums) {
 }
 
 bool near(double value, double threshold, double margin) {
-  return std::abs(value - threshold) <= margin * threshold;
+  return std::abs(value - threshold) < margin * threshold;
 }
 
 // Features that vary; the rest get no coefficient.

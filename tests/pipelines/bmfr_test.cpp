@@ -129,14 +129,42 @@ TEST_CASE("a missing sample is filled from history and surroundings", "[pipeline
   for (int c = 0; c < 3; ++c) CHECK(broken.frames.back().linear.at(48, 50, c) > 0.0f);
 }
 
+TEST_CASE("a hole larger than a window does not darken what surrounds it", "[pipelines]") {
+  constexpr int kFirst = 30, kLast = 69;  // columns and rows of the hole
+  const auto sequence = analyticSequence(120, 100, 1);
+  const auto punch = [](io::FrameData& frame) {
+    for (int y = kFirst; y <= kLast; ++y)
+      for (int x = kFirst; x <= kLast; ++x)
+        frame.radiance.at(x, y, 0) = std::numeric_limits<float>::quiet_NaN();
+  };
+  Settings settings = withSetting("solver", "gram");
+  settings.set("windows", "overlap");
+  const io::Image whole = denoiseSequence(*sequence, {0}, settings).frames[0].linear;
+  const io::Image holed = denoiseSequence(*sequence, {0}, settings, {}, punch).frames[0].linear;
+  double wholeSum = 0.0, holedSum = 0.0;  // along the inner rim, two to five pixels into the hole
+  for (int y = kFirst + 2; y <= kFirst + 5; ++y) {
+    for (int x = kFirst; x <= kLast; ++x) {
+      wholeSum += whole.at(x, y, 1);
+      holedSum += holed.at(x, y, 1);
+    }
+  }
+  INFO("mean radiance on the rim, whole " << wholeSum / 160.0 << ", holed " << holedSum / 160.0);
+  CHECK(holedSum > 0.8 * wholeSum);
+  CHECK(isClean(holed, kMostRadiance));
+}
+
 TEST_CASE("the output is bit-identical from run to run and for every work-group size", "[pipelines]") {
   const auto sequence = analyticSequence(131, 77, 4);
   const std::string hash = denoiseSequence(*sequence, firstFrames(4)).hash;
   CHECK(denoiseSequence(*sequence, firstFrames(4)).hash == hash);
+  Settings gram = withSetting("solver", "gram");
+  gram.set("windows", "overlap");
+  const std::string gramHash = denoiseSequence(*sequence, firstFrames(4), gram).hash;
   for (const std::array<int, 2> group : {std::array<int, 2>{1, 1}, {3, 5}, {16, 4}}) {
     Options options;
     options.workGroup = group;
     CHECK(denoiseSequence(*sequence, firstFrames(4), Settings("bmfr"), options).hash == hash);
+    CHECK(denoiseSequence(*sequence, firstFrames(4), gram, options).hash == gramHash);
   }
 }
 

@@ -1,5 +1,5 @@
-// Do the windows of the fit show? Without history, the step of the error across window borders is compared with the
-// step elsewhere.
+// Do the windows of the fit show? Without history, the step of the error across window borders is compared
+// with the step elsewhere.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -13,7 +13,8 @@ namespace quell::tests {
 namespace {
 
 constexpr int kOffsets = 16;
-// Mean step on borders over mean step off borders; 1 means that the borders cannot be told from anything else.
+// Mean step on borders over mean step off borders; 1 means that the borders cannot be told from anything
+// else.
 constexpr double kInvisible = 0.03;
 
 struct Grid {
@@ -76,7 +77,8 @@ TEST_CASE("overlapping windows show no borders without history", "[pipelines]") 
   overlap.set("windows", "overlap");
   const double blended = meanBorderRatio(*sequence, overlap);
   const double blocks = meanBorderRatio(*sequence, Settings("bmfr"));
-  WARN("step across window borders over step elsewhere: overlap " << blended << ", householder blocks " << blocks);
+  WARN("step across window borders over step elsewhere: overlap " << blended << ", householder blocks "
+                                                                  << blocks);
   CHECK(std::abs(blended - 1.0) < kInvisible);
   CHECK(blocks > 1.0 + kInvisible);
 }

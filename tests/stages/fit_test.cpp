@@ -153,7 +153,8 @@ TEST_CASE("fit far from the camera agrees with its oracle") {
   }
 }
 
-// Positions whose range is rounding noise are divided by the distance: only shifted, their squares overflowed.
+// Positions whose range is rounding noise are divided by the distance: only shifted, their squares
+// overflowed.
 TEST_CASE("fit stays finite up to the largest position", "[stages]") {
   FitCase fit(makeOptions({77, 43}, Mapping::Wide, 1));
   useDistantSurface(fit.inputs.guides, 0.1f * QUELL_MAX_POSITION);
