@@ -100,9 +100,8 @@ void checkView(const char* function, const NamedView& named, Size size) {
 
 bool sameLayout(const ImageView& a, const ImageView& b, int width) {
   if (a.present() != b.present()) return false;
-  return !a.present() ||
-         (a.format == b.format && a.channels == b.channels && a.pixelStride() == b.pixelStride() &&
-          a.rowPitch(width) == b.rowPitch(width));
+  return !a.present() || (a.format == b.format && a.channels == b.channels &&
+                          a.pixelStride() == b.pixelStride() && a.rowPitch(width) == b.rowPitch(width));
 }
 
 std::string layoutText(const ImageView& view, int width) {
