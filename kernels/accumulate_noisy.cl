@@ -21,8 +21,8 @@ typedef struct Sample {
 } Sample;
 
 QUELL_INLINE Sample loadSample(__global const uchar* radianceData, __global const uchar* emissionData,
-                                __global const uchar* albedoData, __global const uchar* glossColorData,
-                                AccumulateNoisyParams params, int x, int y, int lanes) {
+                               __global const uchar* albedoData, __global const uchar* glossColorData,
+                               AccumulateNoisyParams params, int x, int y, int lanes) {
   const Material material =
       LOAD_MATERIAL(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes);
   Sample sample;
@@ -38,7 +38,7 @@ QUELL_INLINE Sample loadSample(__global const uchar* radianceData, __global cons
 }
 
 QUELL_INLINE Surface loadSurface(__global const uchar* normalData, __global const uchar* positionData,
-                                  AccumulateNoisyParams params, int x, int y, int lanes) {
+                                 AccumulateNoisyParams params, int x, int y, int lanes) {
   const float3L normal = LOAD_PIXELS(NORMAL, normalData, params.normal, x, y, lanes);
   const float3L position = LOAD_PIXELS(POSITION, positionData, params.position, x, y, lanes);
 #if POSITION_IS_DEPTH
@@ -59,8 +59,9 @@ __kernel void accumulate_noisy(__global const uchar* radianceData, __global cons
                                __global const uchar* normalData, __global const uchar* positionData,
                                __global const float* irradiancePrev, __global const uchar* historyLengthPrev,
                                __global const float* guidesPrev, __global float* irradiance,
-                               __global uchar* historyLength, __global float* guides, __global float* pixelPrev,
-                               __global uchar* reprojectionMask, AccumulateNoisyParams params) {
+                               __global uchar* historyLength, __global float* guides,
+                               __global float* pixelPrev, __global uchar* reprojectionMask,
+                               AccumulateNoisyParams params) {
   const PlaneParams planes = params.planes;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
@@ -68,7 +69,8 @@ __kernel void accumulate_noisy(__global const uchar* radianceData, __global cons
   const int lanes = min(QUELL_LANES, planes.width - x);
   const int index = planeIndex(planes, x, y);
 
-  const Sample sample = loadSample(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes);
+  const Sample sample =
+      loadSample(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes);
   const Surface surface = loadSurface(normalData, positionData, params, x, y, lanes);
 
   // Background moves like a point at infinity: only TAA uses where it was.
@@ -92,7 +94,8 @@ __kernel void accumulate_noisy(__global const uchar* radianceData, __global cons
           gatherLanes3(guidesPrev + QUELL_GUIDE_POSITION * planes.stride + offset, taps.plan, planes.stride);
       const float3L normalPrev =
           gatherLanes3(guidesPrev + QUELL_GUIDE_NORMAL * planes.stride + offset, taps.plan, planes.stride);
-      const floatL weightPrev = gatherLanes(guidesPrev + QUELL_GUIDE_WEIGHT * planes.stride + offset, taps.plan);
+      const floatL weightPrev =
+          gatherLanes(guidesPrev + QUELL_GUIDE_WEIGHT * planes.stride + offset, taps.plan);
       const floatL weight = taps.weight[i] * weightPrev;
       const intL accepted = wanted && taps.inFrame[i] && weight > 0.0f &&
                             sameSurface(params.reprojection, surface, positionPrev, normalPrev, limitSquared);
@@ -112,11 +115,12 @@ __kernel void accumulate_noisy(__global const uchar* radianceData, __global cons
   const intL lengthPrev = floorLanes(lengthSum * inverseWeight + 0.5f);
   const intL present = sample.present && surface.valid;
   const floatL cumulative = 1.0f / (TO_FLOAT(lengthPrev) + 1.0f);
-  const floatL blend = present ? (hasHistory ? maxLanes(cumulative, (floatL)(params.leastWeight)) : ONE_LANES)
-                               : ZERO_LANES;
+  const floatL blend =
+      present ? (hasHistory ? maxLanes(cumulative, (floatL)(params.leastWeight)) : ONE_LANES) : ZERO_LANES;
   float3L blended = add3(scale3(sample.irradiance, blend), scale3(history, 1.0f - blend));
   blended = select3(present || hasHistory, blended, splat3(0.0f));
-  const intL length = minLanesInt(lengthPrev + (present ? (intL)(1) : (intL)(0)), (intL)(QUELL_MAX_HISTORY_LENGTH));
+  const intL length =
+      minLanesInt(lengthPrev + (present ? (intL)(1) : (intL)(0)), (intL)(QUELL_MAX_HISTORY_LENGTH));
   const floatL storedWeight = (present || hasHistory) ? (present ? sample.weight : ONE_LANES) : ZERO_LANES;
 
   storeLanes3(blended, irradiance, index, planes.stride);

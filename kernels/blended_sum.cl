@@ -73,10 +73,11 @@ __kernel void blended_sum(__global const float* records, __global const float* g
   const int right = clamp(cellX, columns.x, columns.y);
   const int top = clamp(cellY - 1, rows.x, rows.y) * params.tilesX;
   const int bottom = clamp(cellY, rows.x, rows.y) * params.tilesX;
-  const floatL fractionX = (TO_FLOAT((itemX % ITEMS_PER_CELL_ROW) * ITEM_WIDTH + LANE_X) + 0.5f) *
-                           (1.0f / GRAM_TILE_EDGE);
+  const floatL fractionX =
+      (TO_FLOAT((itemX % ITEMS_PER_CELL_ROW) * ITEM_WIDTH + LANE_X) + 0.5f) * (1.0f / GRAM_TILE_EDGE);
   const floatL fractionY =
-      (TO_FLOAT((itemY % (GRAM_TILE_EDGE / ITEM_HEIGHT)) * ITEM_HEIGHT + LANE_Y) + 0.5f) * (1.0f / GRAM_TILE_EDGE);
+      (TO_FLOAT((itemY % (GRAM_TILE_EDGE / ITEM_HEIGHT)) * ITEM_HEIGHT + LANE_Y) + 0.5f) *
+      (1.0f / GRAM_TILE_EDGE);
 
   float3L sum = splat3(0.0f);
   floatL total = ZERO_LANES;
@@ -85,7 +86,8 @@ __kernel void blended_sum(__global const float* records, __global const float* g
     __global const float* record = records + tile * QUELL_FIT_RECORD;
     // A window without a single sample has nothing to say.
     if (record[QUELL_FIT_SCALE] != 0.0f) {
-      const floatL share = (corner & 1 ? fractionX : 1.0f - fractionX) * (corner & 2 ? fractionY : 1.0f - fractionY);
+      const floatL share =
+          (corner & 1 ? fractionX : 1.0f - fractionX) * (corner & 2 ? fractionY : 1.0f - fractionY);
       sum = add3(sum, scale3(evaluateFit(record, position, normal), share));
       total += share;
     }

@@ -8,18 +8,18 @@
 //          then in a halving tree: the result does not depend on the work-group size.
 // Departures: pixels are weighted by guides.weight (0: hole or background), rows by its square root; positions are
 //          anchored at the block's minimum before they are squared, which spans the same space and needs no world
-//          origin; the offsets are 16 evenly spread ones instead of random ones; the noise differs from block to block; linearly dependent columns get no coefficient instead of a
-//          division by zero.
+//          origin; the offsets are 16 evenly spread ones instead of random ones; the noise differs from block to
+//          block; linearly dependent columns get no coefficient instead of a division by zero.
 //
 // FIT_GROUP_SIZE work-items share a block; each owns the rows (i * FIT_GROUP_SIZE + id) * QUELL_LANES + lane and keeps
 // them in private memory: with 256 work-items that is 52 registers and no traffic but the input; with one work-item
 // and 16 lanes it is a stack array that stays in a CPU's nearest caches. FIT_STORAGE_HALF puts the columns into
 // global memory as halves, block after block, as the reference does.
+#include "accumulate_noisy_params.h"
 #include "common/blocks.h"
 #include "common/fit_features.h"
 #include "common/planes.h"
 #include "common/random.h"
-#include "accumulate_noisy_params.h"
 #include "fit_params.h"
 
 #define LOGICAL_LANES 256
@@ -48,7 +48,7 @@ typedef struct Columns {
   int id;
 } Columns;
 #define COLUMN_INDEX(columns, k, i) \
-  ((size_t)((k) * QUELL_BLOCK_PIXELS + ((i) * FIT_GROUP_SIZE + (columns).id) * QUELL_LANES))
+  ((size_t)((k)*QUELL_BLOCK_PIXELS + ((i)*FIT_GROUP_SIZE + (columns).id) * QUELL_LANES))
 #if QUELL_LANES == 16
 #define GET(columns, k, i) vload_half16(0, (columns).data + COLUMN_INDEX(columns, k, i))
 #define SET(columns, k, i, value) vstore_half16((value), 0, (columns).data + COLUMN_INDEX(columns, k, i))
@@ -142,8 +142,8 @@ QUELL_INLINE void groupMin(__local floatL* exchange, int id, floatL* values, int
     if (id < active) {
       UNROLL
       for (int k = 0; k < count; ++k)
-        exchange[k * FIT_GROUP_SIZE + id] = minLanes(exchange[k * FIT_GROUP_SIZE + id],
-                                                     exchange[k * FIT_GROUP_SIZE + id + active]);
+        exchange[k * FIT_GROUP_SIZE + id] =
+            minLanes(exchange[k * FIT_GROUP_SIZE + id], exchange[k * FIT_GROUP_SIZE + id + active]);
     }
     GROUP_BARRIER;
   }
@@ -157,8 +157,9 @@ __kernel
 #if FIT_GROUP_SIZE > 1
     __attribute__((reqd_work_group_size(FIT_GROUP_SIZE, 1, 1)))
 #endif
-    void fit(__global const float* irradiance, __global const float* guides, __global float* records,
-             __global half* storage, FitParams params) {
+    void
+    fit(__global const float* irradiance, __global const float* guides, __global float* records,
+        __global half* storage, FitParams params) {
   const int id = (int)get_local_id(0);
   const int block = (int)get_group_id(0);
   const int blockX = params.blockOffsetX + (block % params.blocksX) * QUELL_BLOCK_EDGE;
@@ -187,7 +188,8 @@ __kernel
   for (int k = 0; k < 6; ++k) bounds[k] = (floatL)(NO_POSITION);
   UNROLL
   for (int i = 0; i < ITEM_ROWS; ++i) {
-    const GatherPlan plan = planBlockRow(params.planes, (i * FIT_GROUP_SIZE + id) * QUELL_LANES, blockX, blockY);
+    const GatherPlan plan =
+        planBlockRow(params.planes, (i * FIT_GROUP_SIZE + id) * QUELL_LANES, blockX, blockY);
     const intL used = gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan) > 0.0f;
     UNROLL
     for (int axis = 0; axis < 3; ++axis) {
@@ -266,7 +268,8 @@ __kernel
       if (j + 1 < QUELL_FEATURES) {
         if (k == j + 1) {
           reflect(columns, k, j, along);
-          const intL taken = firstRows < QUELL_FEATURES && (((intL)(takenRows) >> minLanesInt(firstRows, (intL)(15))) & 1) != 0;
+          const intL taken = firstRows < QUELL_FEATURES &&
+                             (((intL)(takenRows) >> minLanesInt(firstRows, (intL)(15))) & 1) != 0;
           SET(columns, k, 0, taken ? ZERO_LANES : GET(columns, k, 0));
           dots[k] = partialDot(columns, k, k);
         } else {

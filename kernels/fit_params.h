@@ -12,7 +12,7 @@ typedef struct FitParams {
   QuellInt blockOffsetY;  // row of it, in the same range
   QuellInt blocksX;       // blocks in a row of the grid
   QuellInt blocksY;
-  QuellUint noiseSeed;    // changes every frame
+  QuellUint noiseSeed;        // changes every frame
   QuellFloat noiseAmplitude;  // of the stochastic regularisation, scaled feature units; >= 0
 } FitParams;
 

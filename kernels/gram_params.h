@@ -9,9 +9,10 @@ QUELL_NAMESPACE_BEGIN
 
 typedef struct GramParams {
   PlaneParams planes;
-  QuellInt tileOffsetX;      // column of the first tile's first pixel: [-32, -1] for blocks, (-edge, 0] for overlap
-  QuellInt tileOffsetY;      // row of it
-  QuellInt tilesX;           // tiles in a row of the grid
+  QuellInt
+      tileOffsetX;  // column of the first tile's first pixel: [-32, -1] for blocks, (-edge, 0] for overlap
+  QuellInt tileOffsetY;  // row of it
+  QuellInt tilesX;       // tiles in a row of the grid
   QuellInt tilesY;
   QuellInt tileStride;       // elements from one plane of the tile buffer to the next
   QuellFloat noiseVariance;  // of the regularising noise, scaled feature units squared; >= 0
@@ -22,10 +23,10 @@ QUELL_NAMESPACE_END
 // Sums of a tile: the upper triangle, row by row, of the Gram matrix of [features | colour], rows weighted.
 #define QUELL_GRAM_SUMS (QUELL_FIT_COLUMNS * (QUELL_FIT_COLUMNS + 1) / 2)
 // Element of the triangle for columns a <= b.
-#define QUELL_GRAM_INDEX(a, b) ((a) * QUELL_FIT_COLUMNS - (a) * ((a) - 1) / 2 + (b) - (a))
+#define QUELL_GRAM_INDEX(a, b) ((a)*QUELL_FIT_COLUMNS - (a) * ((a)-1) / 2 + (b) - (a))
 // Planes of the tile buffer: the sums, then the range of the positions (camera-relative, scene units).
-#define QUELL_GRAM_LOW QUELL_GRAM_SUMS          // 3 planes; above the highest where no pixel has a weight
-#define QUELL_GRAM_HIGH (QUELL_GRAM_SUMS + 3)   // 3 planes
+#define QUELL_GRAM_LOW QUELL_GRAM_SUMS         // 3 planes; above the highest where no pixel has a weight
+#define QUELL_GRAM_HIGH (QUELL_GRAM_SUMS + 3)  // 3 planes
 #define QUELL_GRAM_PLANES (QUELL_GRAM_SUMS + 6)
 
 // A normalised pivot at or below this is rounding noise: the feature is a combination of those before it and gets no

@@ -23,9 +23,9 @@ QUELL_INLINE floatL tileValue(__global const float* tiles, int tileStride, int p
   return tiles[plane * tileStride + tile];
 #else
   __global const float* row = tiles + plane * tileStride;
-  return (float16)(row[tile.s0], row[tile.s1], row[tile.s2], row[tile.s3], row[tile.s4], row[tile.s5], row[tile.s6],
-                   row[tile.s7], row[tile.s8], row[tile.s9], row[tile.sa], row[tile.sb], row[tile.sc], row[tile.sd],
-                   row[tile.se], row[tile.sf]);
+  return (float16)(row[tile.s0], row[tile.s1], row[tile.s2], row[tile.s3], row[tile.s4], row[tile.s5],
+                   row[tile.s6], row[tile.s7], row[tile.s8], row[tile.s9], row[tile.sa], row[tile.sb],
+                   row[tile.sc], row[tile.sd], row[tile.se], row[tile.sf]);
 #endif
 }
 
@@ -39,7 +39,8 @@ typedef struct Window {
 #if GRAM_OVERLAP
 // Features 4..6 are positions, 7..9 their squares: G becomes M G M^T for the change of scaling of one axis. The two
 // columns are replaced by combinations of themselves and of the constant column, first as columns, then as rows.
-QUELL_INLINE void changeScaling(floatL g[QUELL_FIT_COLUMNS][QUELL_FIT_COLUMNS], int axis, floatL r, floatL t) {
+QUELL_INLINE void changeScaling(floatL g[QUELL_FIT_COLUMNS][QUELL_FIT_COLUMNS], int axis, floatL r,
+                                floatL t) {
   const int p = 4 + axis;
   const int q = 7 + axis;
   const floatL rt = 2.0f * r * t;
@@ -59,8 +60,8 @@ QUELL_INLINE void changeScaling(floatL g[QUELL_FIT_COLUMNS][QUELL_FIT_COLUMNS], 
 #endif
 
 // The window's sums in its own scaling; out-of-grid neighbours are left out.
-QUELL_INLINE void gatherWindow(__global const float* tiles, GramParams params, intL tileX, intL tileY, Window* window,
-                               floatL* sums) {
+QUELL_INLINE void gatherWindow(__global const float* tiles, GramParams params, intL tileX, intL tileY,
+                               Window* window, floatL* sums) {
 #if GRAM_OVERLAP
   for (int axis = 0; axis < 3; ++axis) {
     window->low[axis] = (floatL)(NO_POSITION);
@@ -133,7 +134,8 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
   for (int j = 0; j < VARIED; ++j) {
     const floatL square = sums[QUELL_GRAM_INDEX(j + 1, j + 1)];
     const floatL variance = square - sums[QUELL_GRAM_INDEX(0, j + 1)] * mean[j + 1];
-    const intL usable = weight >= QUELL_GRAM_LEAST_WEIGHT && variance > QUELL_GRAM_VARIANCE_TOLERANCE * square;
+    const intL usable =
+        weight >= QUELL_GRAM_LEAST_WEIGHT && variance > QUELL_GRAM_VARIANCE_TOLERANCE * square;
     const floatL counted = usable ? variance : ZERO_LANES;
     const floatL regularised = counted + weight * noiseVariance;
     inverseDeviation[j] = counted > 0.0f ? 1.0f / SQRT(counted > 0.0f ? regularised : ONE_LANES) : ZERO_LANES;
@@ -142,14 +144,16 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
   floatL right[VARIED][QUELL_FIT_CHANNELS];
   for (int i = 0; i < VARIED; ++i) {
     for (int j = 0; j < i; ++j) {
-      const floatL covariance = sums[QUELL_GRAM_INDEX(j + 1, i + 1)] - sums[QUELL_GRAM_INDEX(0, i + 1)] * mean[j + 1];
+      const floatL covariance =
+          sums[QUELL_GRAM_INDEX(j + 1, i + 1)] - sums[QUELL_GRAM_INDEX(0, i + 1)] * mean[j + 1];
       factor[LOWER(i, j)] = covariance * inverseDeviation[i] * inverseDeviation[j];
     }
     factor[LOWER(i, i)] = inverseDeviation[i] > 0.0f ? ONE_LANES : ZERO_LANES;
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c) {
       const int column = QUELL_FEATURES + c;
       right[i][c] =
-          (sums[QUELL_GRAM_INDEX(i + 1, column)] - sums[QUELL_GRAM_INDEX(0, i + 1)] * mean[column]) * inverseDeviation[i];
+          (sums[QUELL_GRAM_INDEX(i + 1, column)] - sums[QUELL_GRAM_INDEX(0, i + 1)] * mean[column]) *
+          inverseDeviation[i];
     }
   }
 

@@ -42,14 +42,15 @@ QUELL_INLINE GatherPlan planTilePixels(PlaneParams planes, Tile tile, int vector
 #endif
 }
 
-QUELL_INLINE floatL tileWeight(__global const float* guides, PlaneParams planes, GatherPlan plan, intL inside) {
+QUELL_INLINE floatL tileWeight(__global const float* guides, PlaneParams planes, GatherPlan plan,
+                               intL inside) {
   const floatL weight = gatherLanes(guides + QUELL_GUIDE_WEIGHT * planes.stride, plan);
   return inside ? weight : ZERO_LANES;
 }
 
 // Lowers `bounds` to the minima of p and of -p over the pixels with a weight.
-QUELL_INLINE void includePositions(__global const float* guides, PlaneParams planes, GatherPlan plan, floatL weight,
-                                   floatL* bounds) {
+QUELL_INLINE void includePositions(__global const float* guides, PlaneParams planes, GatherPlan plan,
+                                   floatL weight, floatL* bounds) {
   for (int axis = 0; axis < 3; ++axis) {
     const floatL p = gatherLanes(guides + (QUELL_GUIDE_POSITION + axis) * planes.stride, plan);
     bounds[axis] = weight > 0.0f && p < bounds[axis] ? p : bounds[axis];
@@ -58,9 +59,9 @@ QUELL_INLINE void includePositions(__global const float* guides, PlaneParams pla
 }
 
 // Weighted row of [features | colour].
-QUELL_INLINE void makeColumns(__global const float* irradiance, __global const float* guides, PlaneParams planes,
-                              GatherPlan plan, floatL weight, const float* anchor, const float* scale,
-                              floatL* columns) {
+QUELL_INLINE void makeColumns(__global const float* irradiance, __global const float* guides,
+                              PlaneParams planes, GatherPlan plan, floatL weight, const float* anchor,
+                              const float* scale, floatL* columns) {
   const int stride = planes.stride;
   float3L position = gatherLanes3(guides + QUELL_GUIDE_POSITION * stride, plan, stride);
   position.x = (position.x - anchor[0]) * scale[0];
@@ -73,10 +74,12 @@ QUELL_INLINE void makeColumns(__global const float* irradiance, __global const f
   columns[QUELL_FEATURES + 2] = color.z;
   const floatL rootWeight = SQRT(weight);
   // A pixel without weight may lie anywhere, so its features are dropped, not multiplied by zero.
-  for (int k = 0; k < QUELL_FIT_COLUMNS; ++k) columns[k] = weight > 0.0f ? columns[k] * rootWeight : ZERO_LANES;
+  for (int k = 0; k < QUELL_FIT_COLUMNS; ++k)
+    columns[k] = weight > 0.0f ? columns[k] * rootWeight : ZERO_LANES;
 }
 
-QUELL_INLINE void storeRange(__global float* tiles, int tileStride, int tile, const float* low, const float* high) {
+QUELL_INLINE void storeRange(__global float* tiles, int tileStride, int tile, const float* low,
+                             const float* high) {
   for (int axis = 0; axis < 3; ++axis) {
     tiles[(QUELL_GRAM_LOW + axis) * tileStride + tile] = low[axis];
     tiles[(QUELL_GRAM_HIGH + axis) * tileStride + tile] = high[axis];
@@ -101,9 +104,11 @@ QUELL_INLINE void storeRange(__global float* tiles, int tileStride, int tile, co
 #define ROW_FROM_2(a) PRODUCT(a, 2) ROW_FROM_3(a)
 #define ROW_FROM_1(a) PRODUCT(a, 1) ROW_FROM_2(a)
 #define ROW_FROM_0(a) PRODUCT(a, 0) ROW_FROM_1(a)
+// clang-format off
 #define ALL_PRODUCTS                                                                                   \
   ROW_FROM_0(0) ROW_FROM_1(1) ROW_FROM_2(2) ROW_FROM_3(3) ROW_FROM_4(4) ROW_FROM_5(5) ROW_FROM_6(6) \
   ROW_FROM_7(7) ROW_FROM_8(8) ROW_FROM_9(9) ROW_FROM_10(10) ROW_FROM_11(11) ROW_FROM_12(12)
+// clang-format on
 #if QUELL_FIT_COLUMNS != 13
 #error "ALL_PRODUCTS is written for 13 columns"
 #endif
@@ -136,11 +141,11 @@ __kernel void gram_sums(__global const float* irradiance, __global const float* 
   for (int vector = 0; vector < TILE_VECTORS; vector += 2) {
     floatL first[QUELL_FIT_COLUMNS], second[QUELL_FIT_COLUMNS];
     const GatherPlan firstPlan = planTilePixels(planes, tile, vector, &inside);
-    makeColumns(irradiance, guides, planes, firstPlan, tileWeight(guides, planes, firstPlan, inside), anchor, scale,
-                first);
+    makeColumns(irradiance, guides, planes, firstPlan, tileWeight(guides, planes, firstPlan, inside), anchor,
+                scale, first);
     const GatherPlan secondPlan = planTilePixels(planes, tile, vector + 1, &inside);
-    makeColumns(irradiance, guides, planes, secondPlan, tileWeight(guides, planes, secondPlan, inside), anchor, scale,
-                second);
+    makeColumns(irradiance, guides, planes, secondPlan, tileWeight(guides, planes, secondPlan, inside),
+                anchor, scale, second);
     ALL_PRODUCTS
   }
   for (int k = 0; k < QUELL_GRAM_SUMS; ++k) tiles[k * params.tileStride + number] = sumLanes(sums[k]);
@@ -157,10 +162,9 @@ __kernel void gram_sums(__global const float* irradiance, __global const float* 
 // Sums that one work-item owns.
 #define ITEM_SUMS ((QUELL_GRAM_SUMS + GRAM_GROUP_SIZE - 1) / GRAM_GROUP_SIZE)
 
-__kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_sums(__global const float* irradiance,
-                                                                                   __global const float* guides,
-                                                                                   __global float* tiles,
-                                                                                   GramParams params) {
+__kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_sums(
+    __global const float* irradiance, __global const float* guides, __global float* tiles,
+    GramParams params) {
   const int id = (int)get_local_id(0);
   const int number = (int)get_group_id(0);
   const PlaneParams planes = params.planes;
@@ -214,7 +218,8 @@ __kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_
     for (int pixel = id; pixel < STAGED_PIXELS; pixel += GRAM_GROUP_SIZE) {
       const GatherPlan plan = planTilePixels(planes, tile, first + pixel, &inside);
       float columns[QUELL_FIT_COLUMNS];
-      makeColumns(irradiance, guides, planes, plan, tileWeight(guides, planes, plan, inside), anchor, scale, columns);
+      makeColumns(irradiance, guides, planes, plan, tileWeight(guides, planes, plan, inside), anchor, scale,
+                  columns);
       for (int k = 0; k < QUELL_FIT_COLUMNS; ++k) staged[pixel * QUELL_FIT_COLUMNS + k] = columns[k];
     }
     barrier(CLK_LOCAL_MEM_FENCE);

@@ -104,7 +104,8 @@ __kernel void temporal_antialiasing(__global const float* encoded, __global cons
   floatL weightSum = ZERO_LANES;
   for (int i = 0; i < 4; ++i) {
     const floatL weight = taps.inFrame[i] ? taps.weight[i] : ZERO_LANES;
-    sum = add3(sum, scale3(gatherLanes3(antialiasedPrev + tapOffset(planes, i), taps.plan, planes.stride), weight));
+    sum = add3(
+        sum, scale3(gatherLanes3(antialiasedPrev + tapOffset(planes, i), taps.plan, planes.stride), weight));
     weightSum += weight;
   }
   const intL hasHistory =
@@ -113,8 +114,8 @@ __kernel void temporal_antialiasing(__global const float* encoded, __global cons
   history.x = clampToMean(history.x, box.low.x, cross.low.x, box.high.x, cross.high.x);
   history.y = clampToMean(history.y, box.low.y, cross.low.y, box.high.y, cross.high.y);
   history.z = clampToMean(history.z, box.low.z, cross.low.z, box.high.z, cross.high.z);
-  const float3L blended =
-      add3(scale3(newest, (floatL)(params.newestWeight)), scale3(toRgb(history), (floatL)(1.0f - params.newestWeight)));
+  const float3L blended = add3(scale3(newest, (floatL)(params.newestWeight)),
+                               scale3(toRgb(history), (floatL)(1.0f - params.newestWeight)));
   const float3L result = clamp3(select3(hasHistory, blended, newest), 0.0f, 1.0f);
   storeLanes3(result, antialiased, index, planes.stride);
 #if OUTPUT_FORMAT

@@ -7,8 +7,8 @@
 #include "common/planes.h"
 #include "tone_map_params.h"
 
-__kernel void tone_map(__global const float* linearPlanes, __global float* encodedPlanes, __global uchar* outputData,
-                       ToneMapParams params) {
+__kernel void tone_map(__global const float* linearPlanes, __global float* encodedPlanes,
+                       __global uchar* outputData, ToneMapParams params) {
   const PlaneParams planes = params.planes;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);

@@ -11,14 +11,14 @@
 
 #define ITEMS_PER_BLOCK_ROW (QUELL_BLOCK_EDGE / QUELL_LANES)
 
-__kernel void weighted_sum(__global const float* records, __global const float* guides, __global float* fitted,
-                           FitParams params) {
+__kernel void weighted_sum(__global const float* records, __global const float* guides,
+                           __global float* fitted, FitParams params) {
   const int itemX = (int)get_global_id(0);
   const int rowY = (int)get_global_id(1);
   const int x = params.blockOffsetX + itemX * QUELL_LANES;
   const int y = params.blockOffsetY + rowY;
-  if (itemX >= params.blocksX * ITEMS_PER_BLOCK_ROW || x <= -QUELL_LANES || x >= params.planes.width || y < 0 ||
-      y >= params.planes.height)
+  if (itemX >= params.blocksX * ITEMS_PER_BLOCK_ROW || x <= -QUELL_LANES || x >= params.planes.width ||
+      y < 0 || y >= params.planes.height)
     return;
   const int block = (rowY / QUELL_BLOCK_EDGE) * params.blocksX + itemX / ITEMS_PER_BLOCK_ROW;
   __global const float* record = records + block * QUELL_FIT_RECORD;

@@ -86,9 +86,7 @@ std::string PlannedRun::settingsText() const {
   return text;
 }
 
-std::string PlannedRun::name() const {
-  return assignments.empty() ? method : method + " " + settingsText();
-}
+std::string PlannedRun::name() const { return assignments.empty() ? method : method + " " + settingsText(); }
 
 Settings PlannedRun::settings(const io::FrameSequence& sequence) const {
   Settings settings = defaultSettings(method, sequence);

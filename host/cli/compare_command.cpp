@@ -87,9 +87,7 @@ void createDirectory(const std::string& directory) {
                 {"compare", directory, "a directory that can be created", failure.message()});
 }
 
-std::string format(double value, int decimals) {
-  return fmt::format("{:.{}f}", value, decimals);
-}
+std::string format(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
 
 std::string format(const std::optional<double>& value, int decimals) {
   return value ? format(*value, decimals) : "n/a";

@@ -29,12 +29,8 @@ json statisticsJson(const TimeStatistics& time) {
 }
 
 // JSON has no NaN and no infinity.
-json number(double value) {
-  return std::isfinite(value) ? json(value) : json(nullptr);
-}
-json number(const std::optional<double>& value) {
-  return value ? number(*value) : json(nullptr);
-}
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+json number(const std::optional<double>& value) { return value ? number(*value) : json(nullptr); }
 
 json figuresJson(const metrics::ErrorFigures& figures) {
   return {{"rmse", number(figures.rmse)}, {"unbiased_rmse", number(figures.unbiasedRmse)},
@@ -81,9 +77,7 @@ void printTimings(const DenoiseReport& report) {
     fmt::print("  one copy (22.1 MB at {:.1f} GB/s) takes {:.3f} ms\n", *report.copyGbs, *report.copyMs);
 }
 
-std::string text(const std::optional<double>& value) {
-  return value ? fmt::format("{:.4f}", *value) : "-";
-}
+std::string text(const std::optional<double>& value) { return value ? fmt::format("{:.4f}", *value) : "-"; }
 
 void printFigures(const std::string& name, const metrics::ErrorFigures& figures) {
   fmt::print("  {:<24}{:>9.4f}{:>10}{:>9.2f}{:>9.3f}{:>9.4f}{:>9}\n", name, figures.rmse,
@@ -127,9 +121,7 @@ double gigabytesPerSecond(std::uint64_t bytes, const TimeStatistics& time) {
   return time.medianMs > 0.0 ? static_cast<double>(bytes) * 1e-6 / time.medianMs : 0.0;
 }
 
-const char* toString(TimeSource source) {
-  return source == TimeSource::Device ? "device" : "host";
-}
+const char* toString(TimeSource source) { return source == TimeSource::Device ? "device" : "host"; }
 
 json toJson(const DenoiseReport& report) {
   json result = {{"device", report.device.name},

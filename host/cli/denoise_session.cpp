@@ -27,9 +27,7 @@ constexpr InputImage kInputs[] = {
     {&io::FrameData::emission, &Frame::emission},
 };
 
-std::size_t bytesOf(const io::Image& image) {
-  return image.pixels.size() * sizeof(float);
-}
+std::size_t bytesOf(const io::Image& image) { return image.pixels.size() * sizeof(float); }
 
 }  // namespace
 
@@ -125,29 +123,17 @@ void DenoiseSession::run(const io::FrameData& frame) {
   withClErrors("denoise", [&] { m_implementation->run(frame); });
 }
 
-const DeviceInfo& DenoiseSession::device() const {
-  return m_implementation->m_info;
-}
-Denoiser& DenoiseSession::denoiser() {
-  return m_implementation->m_denoiser;
-}
-cl_context DenoiseSession::context() const {
-  return m_implementation->m_context();
-}
-cl_device_id DenoiseSession::deviceId() const {
-  return m_implementation->m_device();
-}
-cl_command_queue DenoiseSession::queue() const {
-  return m_implementation->m_queue();
-}
+const DeviceInfo& DenoiseSession::device() const { return m_implementation->m_info; }
+Denoiser& DenoiseSession::denoiser() { return m_implementation->m_denoiser; }
+cl_context DenoiseSession::context() const { return m_implementation->m_context(); }
+cl_device_id DenoiseSession::deviceId() const { return m_implementation->m_device(); }
+cl_command_queue DenoiseSession::queue() const { return m_implementation->m_queue(); }
 
 void OutputHash::add(const io::Image& image) {
   const auto* bytes = reinterpret_cast<const unsigned char*>(image.pixels.data());
   for (std::size_t i = 0; i < bytesOf(image); ++i) m_hash = (m_hash ^ bytes[i]) * 0x100000001b3ull;
 }
 
-std::string OutputHash::text() const {
-  return fmt::format("{:016x}", m_hash);
-}
+std::string OutputHash::text() const { return fmt::format("{:016x}", m_hash); }
 
 }  // namespace quell::cli

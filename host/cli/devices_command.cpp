@@ -10,9 +10,7 @@ namespace {
 
 constexpr double kMebibyte = 1024.0 * 1024.0;
 
-const char* yesNo(bool value) {
-  return value ? "yes" : "no";
-}
+const char* yesNo(bool value) { return value ? "yes" : "no"; }
 
 void printDevices() {
   const std::vector<DeviceInfo> devices = listDevices();

@@ -339,21 +339,15 @@ Event Denoiser::denoise(const Frame& frame, const Output& output, const std::vec
   return withClErrors("denoise", [&] { return m_implementation->denoise(frame, output, waitList); });
 }
 
-void Denoiser::resetHistory() {
-  m_implementation->resetHistory();
-}
-MemoryUse Denoiser::memoryUse() const {
-  return m_implementation->memoryUse();
-}
+void Denoiser::resetHistory() { m_implementation->resetHistory(); }
+MemoryUse Denoiser::memoryUse() const { return m_implementation->memoryUse(); }
 Timings Denoiser::timings() {
   return withClErrors("timings", [&] { return m_implementation->timings(); });
 }
 void Denoiser::clearTimings() {
   withClErrors("clearTimings", [&] { m_implementation->clearTimings(); });
 }
-const Settings& Denoiser::settings() const {
-  return m_implementation->settings();
-}
+const Settings& Denoiser::settings() const { return m_implementation->settings(); }
 
 Event& Event::operator=(Event&& other) noexcept {
   if (this != &other) {

@@ -14,12 +14,8 @@ namespace {
 constexpr double kSingular = 1e-12;
 
 // Rows of a row-major matrix as vectors, since GLM stores columns.
-glm::dvec3 rowLinear(const Matrix4& m, int row) {
-  return {m[4 * row], m[4 * row + 1], m[4 * row + 2]};
-}
-double rowConstant(const Matrix4& m, int row) {
-  return m[4 * row + 3];
-}
+glm::dvec3 rowLinear(const Matrix4& m, int row) { return {m[4 * row], m[4 * row + 1], m[4 * row + 2]}; }
+double rowConstant(const Matrix4& m, int row) { return m[4 * row + 3]; }
 
 [[noreturn]] void refuse(const char* name, const std::string& expected, const std::string& got) {
   throw Error(ErrorCode::InvalidArgument, {"camera", name, expected, got});
@@ -116,9 +112,7 @@ void checkJitter(const std::array<double, 2>& jitter, const char* name) {
 
 }  // namespace
 
-bool isOrthographic(const Matrix4& worldToClip) {
-  return glm::length(rowLinear(worldToClip, 3)) == 0.0;
-}
+bool isOrthographic(const Matrix4& worldToClip) { return glm::length(rowLinear(worldToClip, 3)) == 0.0; }
 
 std::array<double, 3> cameraPositionWorld(const Matrix4& worldToClip, const char* name) {
   const glm::dvec3 p = position(worldToClip, name);

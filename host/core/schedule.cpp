@@ -11,9 +11,7 @@ namespace {
 
 constexpr char kPreviousSuffix[] = ".prev";
 
-int roundUp(int value, int multiple) {
-  return (value + multiple - 1) / multiple * multiple;
-}
+int roundUp(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
 
 bool endsWithPrevious(const std::string& name) {
   const std::size_t length = sizeof(kPreviousSuffix) - 1;
@@ -66,9 +64,7 @@ PlaneParams makePlanes(Size size) {
   return planes;
 }
 
-std::size_t elementBytes(Element element) {
-  return element == Element::Float32 ? 4 : 1;
-}
+std::size_t elementBytes(Element element) { return element == Element::Float32 ? 4 : 1; }
 
 std::size_t elementCount(const BufferSpec& spec, Size size) {
   if (spec.planes == 0) return spec.elements;

@@ -58,9 +58,7 @@ Settings::Settings(const std::string& method) : m_method(method) {
   for (const SettingDescription& setting : methodSettings(method)) m_values.push_back(setting.defaultValue);
 }
 
-const std::vector<SettingDescription>& Settings::descriptions() const {
-  return methodSettings(m_method);
-}
+const std::vector<SettingDescription>& Settings::descriptions() const { return methodSettings(m_method); }
 
 std::size_t Settings::indexOf(const std::string& name) const {
   std::vector<std::string> names;
@@ -94,13 +92,9 @@ void Settings::set(const std::string& name, const std::string& text) {
   set(name, value);
 }
 
-double Settings::get(const std::string& name) const {
-  return m_values[indexOf(name)];
-}
+double Settings::get(const std::string& name) const { return m_values[indexOf(name)]; }
 
-bool Settings::isOn(const std::string& name) const {
-  return get(name) != 0.0;
-}
+bool Settings::isOn(const std::string& name) const { return get(name) != 0.0; }
 
 std::string Settings::text(const std::string& name) const {
   const std::size_t index = indexOf(name);

@@ -47,9 +47,7 @@ std::array<NamedView, 9> namedViews(const Frame& frame, const Output& output) {
   throw Error(code, {function, buffer, expected, got});
 }
 
-std::string sizeText(Size size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
+std::string sizeText(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
 void checkSize(Size size) {
   if (size.width < 1 || size.height < 1 || size.width > kMostExtent || size.height > kMostExtent ||

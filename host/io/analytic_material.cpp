@@ -125,9 +125,7 @@ glm::dvec3 marble(const glm::dvec3& p) {
   return glm::mix(glm::dvec3(0.82, 0.80, 0.76), glm::dvec3(0.20, 0.34, 0.27), vein * vein * vein);
 }
 
-bool isShining(const Hit& hit) {
-  return hit.surface == Surface::Lamp && hit.normal.z < 0.0;
-}
+bool isShining(const Hit& hit) { return hit.surface == Surface::Lamp && hit.normal.z < 0.0; }
 
 }  // namespace
 
@@ -164,9 +162,7 @@ glm::dvec3 albedoAt(const Hit& hit) {
   return glm::dvec3(0.0);
 }
 
-glm::dvec3 emissionAt(const Hit& hit) {
-  return isShining(hit) ? kLampRadiance : glm::dvec3(0.0);
-}
+glm::dvec3 emissionAt(const Hit& hit) { return isShining(hit) ? kLampRadiance : glm::dvec3(0.0); }
 
 glm::dvec3 shadingNormalAt(const Hit& hit, const glm::dvec3& viewDirection) {
   if (hit.surface != Surface::Bricks) return hit.normal;

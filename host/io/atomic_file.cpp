@@ -22,9 +22,7 @@ constexpr char kStage[] = "write file";
 /// How many random temporary names are tried before giving up; a second clash is already next to impossible.
 constexpr int kMaxNameAttempts = 8;
 
-std::string errnoText() {
-  return errno != 0 ? std::strerror(errno) : "an unknown error";
-}
+std::string errnoText() { return errno != 0 ? std::strerror(errno) : "an unknown error"; }
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }

@@ -14,9 +14,7 @@ namespace {
 /// How much of the offending text an error shows, in characters.
 constexpr std::size_t kExcerptLength = 24;
 
-bool isSpace(char c) {
-  return std::strchr(" \t\r\n\v\f", c) != nullptr && c != '\0';
-}
+bool isSpace(char c) { return std::strchr(" \t\r\n\v\f", c) != nullptr && c != '\0'; }
 bool isWord(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }

@@ -101,9 +101,7 @@ ChannelNames namesForWriting(int channels) {
 }
 
 /// Half range with NaN kept: every comparison with NaN is false, so std::clamp returns it.
-half toHalf(float value) {
-  return half(std::clamp(value, -kHalfMax, kHalfMax));
-}
+half toHalf(float value) { return half(std::clamp(value, -kHalfMax, kHalfMax)); }
 
 /// Encodes samples of type T (half or float), interleaved like Image, as a complete file in memory.
 template <typename T>

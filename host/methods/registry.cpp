@@ -25,9 +25,7 @@ std::vector<std::string> methodNames() {
   return names;
 }
 
-std::string methodSummary(const std::string& method) {
-  return findMethod(method).summary;
-}
+std::string methodSummary(const std::string& method) { return findMethod(method).summary; }
 
 const std::vector<SettingDescription>& methodSettings(const std::string& method) {
   return findMethod(method).settings;

@@ -24,8 +24,6 @@ io::Image encodeForDisplay(const io::Image& linear);
 io::Image clampEncoded(const io::Image& encoded);
 
 /// Rec. 709 luma of encoded R, G, B; in [0, 1] for inputs in [0, 1].
-inline double luma(double r, double g, double b) {
-  return kLumaRed * r + kLumaGreen * g + kLumaBlue * b;
-}
+inline double luma(double r, double g, double b) { return kLumaRed * r + kLumaGreen * g + kLumaBlue * b; }
 
 }  // namespace quell::metrics

@@ -15,9 +15,7 @@ double meanOverSamples(const io::Image& shape, Term term) {
   return sum / double(shape.pixels.size());
 }
 
-double square(double x) {
-  return x * x;
-}
+double square(double x) { return x * x; }
 
 }  // namespace
 

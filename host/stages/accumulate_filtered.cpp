@@ -16,8 +16,6 @@ void AccumulateFiltered::enqueue(FrameRun& run) {
              run.buffer("filtered"), params);
 }
 
-std::uint64_t AccumulateFiltered::callerBytes(const Configuration&) const {
-  return 0;
-}
+std::uint64_t AccumulateFiltered::callerBytes(const Configuration&) const { return 0; }
 
 }  // namespace quell

@@ -15,9 +15,7 @@ constexpr std::uint32_t kBlockOffsets = 16;
 constexpr double kOffsetStepX = 0.7548776662466927;
 constexpr double kOffsetStepY = 0.5698402909980532;
 
-int blocksAlong(int pixels) {
-  return (pixels + QUELL_BLOCK_EDGE - 1) / QUELL_BLOCK_EDGE + 1;
-}
+int blocksAlong(int pixels) { return (pixels + QUELL_BLOCK_EDGE - 1) / QUELL_BLOCK_EDGE + 1; }
 
 // In [-32, -1]: the first block always covers pixel 0 and one more block than fits is always enough.
 int offsetAlong(std::uint32_t frameIndex, double step) {
@@ -27,9 +25,7 @@ int offsetAlong(std::uint32_t frameIndex, double step) {
 
 }  // namespace
 
-int blockCount(Size size) {
-  return blocksAlong(size.width) * blocksAlong(size.height);
-}
+int blockCount(Size size) { return blocksAlong(size.width) * blocksAlong(size.height); }
 
 FitParams makeFitParams(Size size, std::uint32_t frameIndex, double noiseAmplitude) {
   FitParams params{};

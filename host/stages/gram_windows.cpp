@@ -6,13 +6,9 @@ namespace quell {
 namespace {
 
 // One more than cover the image, for the displacement.
-int tilesAlong(int pixels, int edge) {
-  return (pixels + edge - 1) / edge + 1;
-}
+int tilesAlong(int pixels, int edge) { return (pixels + edge - 1) / edge + 1; }
 
-int tileCount(const GramParams& params) {
-  return params.tilesX * params.tilesY;
-}
+int tileCount(const GramParams& params) { return params.tilesX * params.tilesY; }
 
 }  // namespace
 

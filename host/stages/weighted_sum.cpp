@@ -20,8 +20,6 @@ void WeightedSum::enqueue(FrameRun& run) {
              run.buffer("fitted"), params);
 }
 
-std::uint64_t WeightedSum::callerBytes(const Configuration&) const {
-  return 0;
-}
+std::uint64_t WeightedSum::callerBytes(const Configuration&) const { return 0; }
 
 }  // namespace quell

@@ -25,9 +25,7 @@ constexpr Images kImages = {{{&Frame::radiance, &Block::radiance},
                              {&Frame::positionWorld, &Block::positionRelative}}};
 
 /// Blocks one below the other.
-Size imageSize(std::size_t blocks) {
-  return {kBlockEdge, static_cast<int>(blocks) * kBlockEdge};
-}
+Size imageSize(std::size_t blocks) { return {kBlockEdge, static_cast<int>(blocks) * kBlockEdge}; }
 
 FitParams makeParams(std::size_t blocks, std::uint32_t noiseSeed, double noiseAmplitude) {
   FitParams params{};
@@ -118,9 +116,7 @@ SharedKernel buildShared(const KernelBuilder& builder, const std::string& stem, 
 
 }  // namespace
 
-std::string solverName(Solver solver) {
-  return solver == Solver::Gram ? "gram" : "householder";
-}
+std::string solverName(Solver solver) { return solver == Solver::Gram ? "gram" : "householder"; }
 
 class BlockFitter::Implementation {
  public:
@@ -314,8 +310,6 @@ BatchFit BlockFitter::fit(const Batch& batch, std::uint32_t noiseSeed) {
   return withClErrors(kStageName, [&] { return m_implementation->fit(batch, noiseSeed); });
 }
 
-const std::string& BlockFitter::deviceName() const {
-  return m_implementation->name();
-}
+const std::string& BlockFitter::deviceName() const { return m_implementation->name(); }
 
 }  // namespace quell::stress

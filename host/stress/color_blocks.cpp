@@ -62,9 +62,7 @@ void makeDenormalColors(Block& block, Random& random) {
     for (double& value : radiance) value = random.uniform(0.0, 1e-38);
 }
 
-void makeZeroColors(Block& block, Random& random) {
-  addRichSurface(block, View(random), random);
-}
+void makeZeroColors(Block& block, Random& random) { addRichSurface(block, View(random), random); }
 
 void makeNegativeColors(Block& block, Random& random) {
   makeRich(block, random);
@@ -88,8 +86,6 @@ void makeAllBroken(Block& block, Random& random) {
   breakComponents(block.radiance, 1.0, random);
 }
 
-void makeSky(Block& block, Random& random) {
-  addLighting(block, random);
-}
+void makeSky(Block& block, Random& random) { addLighting(block, random); }
 
 }  // namespace quell::stress

@@ -12,18 +12,14 @@ void offsetCamera(Batch& batch, Random& random) {
   batch.cameraWorld = scale(randomDirection(random), random.logUniform(1e2, 1e7));
 }
 
-void scaleScene(Batch& batch, Random& random) {
-  batch.unit = random.logUniform(1e-6, 1e6);
-}
+void scaleScene(Batch& batch, Random& random) { batch.unit = random.logUniform(1e-6, 1e6); }
 
 void offsetAndScale(Batch& batch, Random& random) {
   offsetCamera(batch, random);
   scaleScene(batch, random);
 }
 
-void storeAsHalf(Batch& batch, Random&) {
-  batch.halfInputs = true;
-}
+void storeAsHalf(Batch& batch, Random&) { batch.halfInputs = true; }
 
 // FNV-1a: families differ in their random numbers, wherever they stand in the table.
 std::uint64_t hash(const std::string& name) {

@@ -13,9 +13,7 @@ constexpr double kLeastCosine = 0.5;
 // Least component of an oblique plane's normal.
 constexpr double kLeastComponent = 0.5;
 
-double randomDistance(Random& random) {
-  return random.logUniform(0.5, 50.0);
-}
+double randomDistance(Random& random) { return random.logUniform(0.5, 50.0); }
 
 // A surface without a normal map, waves of 10 to 25 % of the block's extent.
 void addWaves(Block& block, const View& view, double distance, Random& random) {
@@ -152,9 +150,7 @@ void makeNearlyDuplicatedFeatures(Block& block, Random& random) {
   addGentleLighting(block, random);
 }
 
-void makeSurfaceEdge(Block& block, Random& random) {
-  makeEdge(block, random.logUniform(1.01, 1e4), random);
-}
+void makeSurfaceEdge(Block& block, Random& random) { makeEdge(block, random.logUniform(1.01, 1e4), random); }
 
 void makeSkyEdge(Block& block, Random& random) {
   makeRich(block, random);

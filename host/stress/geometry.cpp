@@ -13,24 +13,14 @@ Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-double centred(int i) {
-  return i + 0.5 - 0.5 * kBlockEdge;
-}
+double centred(int i) { return i + 0.5 - 0.5 * kBlockEdge; }
 
 }  // namespace
 
-Vector3 add(const Vector3& a, const Vector3& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-Vector3 scale(const Vector3& a, double s) {
-  return {a[0] * s, a[1] * s, a[2] * s};
-}
-double dot(const Vector3& a, const Vector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector3 normalized(const Vector3& a) {
-  return scale(a, 1.0 / std::sqrt(dot(a, a)));
-}
+Vector3 add(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vector3 scale(const Vector3& a, double s) { return {a[0] * s, a[1] * s, a[2] * s}; }
+double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector3 normalized(const Vector3& a) { return scale(a, 1.0 / std::sqrt(dot(a, a))); }
 
 Vector3 randomDirection(Random& random) {
   const double z = random.uniform(-1.0, 1.0);

@@ -62,9 +62,7 @@ double weightedEnergy(const Eigen::VectorXd& weights, const Eigen::VectorXd& val
   return weights.dot(values.cwiseAbs2());
 }
 
-void raise(double& worst, double value) {
-  worst = std::max(worst, value);
-}
+void raise(double& worst, double value) { worst = std::max(worst, value); }
 
 /// Raises the errors to those of one channel.
 void compareChannel(const LeastSquares& problem, const OptimalFit& optimal, const FeatureColumn& coefficients,

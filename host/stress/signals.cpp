@@ -11,12 +11,8 @@ namespace {
 using Signal = std::array<double, kBlockPixels>;
 
 // Pixel centre over the block, each in (-1, 1).
-double across(int pixel) {
-  return (pixel % kBlockEdge + 0.5) * (2.0 / kBlockEdge) - 1.0;
-}
-double down(int pixel) {
-  return (pixel / kBlockEdge + 0.5) * (2.0 / kBlockEdge) - 1.0;
-}
+double across(int pixel) { return (pixel % kBlockEdge + 0.5) * (2.0 / kBlockEdge) - 1.0; }
+double down(int pixel) { return (pixel / kBlockEdge + 0.5) * (2.0 / kBlockEdge) - 1.0; }
 
 // A slope with some curvature over the block, as of a light nearby.
 Signal smoothLight(const Block&, Random& random) {

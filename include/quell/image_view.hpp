@@ -14,12 +14,8 @@ struct Size {
   int height = 0;
 };
 
-inline bool operator==(Size a, Size b) {
-  return a.width == b.width && a.height == b.height;
-}
-inline bool operator!=(Size a, Size b) {
-  return !(a == b);
-}
+inline bool operator==(Size a, Size b) { return a.width == b.width && a.height == b.height; }
+inline bool operator!=(Size a, Size b) { return !(a == b); }
 
 enum class ComponentFormat : std::uint8_t {
   Float32,

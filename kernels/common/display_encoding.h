@@ -29,10 +29,9 @@ QUELL_INLINE floatL exp2Lanes(floatL v) {
   const floatL y = (v - TO_FLOAT(whole)) * 0.693147181f;
   const floatL series =
       1.0f +
-      y * (1.0f +
-           y * (0.5f +
-                y * (0.166666667f +
-                     y * (0.0416666667f + y * (0.00833333333f + y * (0.00138888889f + y * 0.000198412698f))))));
+      y * (1.0f + y * (0.5f + y * (0.166666667f +
+                                   y * (0.0416666667f +
+                                        y * (0.00833333333f + y * (0.00138888889f + y * 0.000198412698f))))));
   return series * AS_FLOAT((whole + 127) << 23);
 }
 

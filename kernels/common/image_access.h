@@ -64,36 +64,37 @@ QUELL_INLINE float3L loadPacked4(__global const void* data, size_t component, in
 
 QUELL_INLINE void storePacked3(float3L v, __global void* data, size_t component, int format) {
   const float16 x = v.x, y = v.y, z = v.z;
-  storeComponents16((float16)(x.s0, y.s0, z.s0, x.s1, y.s1, z.s1, x.s2, y.s2, z.s2, x.s3, y.s3, z.s3, x.s4, y.s4,
-                              z.s4, x.s5),
+  storeComponents16((float16)(x.s0, y.s0, z.s0, x.s1, y.s1, z.s1, x.s2, y.s2, z.s2, x.s3, y.s3, z.s3, x.s4,
+                              y.s4, z.s4, x.s5),
                     data, component, format);
-  storeComponents16((float16)(y.s5, z.s5, x.s6, y.s6, z.s6, x.s7, y.s7, z.s7, x.s8, y.s8, z.s8, x.s9, y.s9, z.s9,
-                              x.sa, y.sa),
+  storeComponents16((float16)(y.s5, z.s5, x.s6, y.s6, z.s6, x.s7, y.s7, z.s7, x.s8, y.s8, z.s8, x.s9, y.s9,
+                              z.s9, x.sa, y.sa),
                     data, component + 16, format);
-  storeComponents16((float16)(z.sa, x.sb, y.sb, z.sb, x.sc, y.sc, z.sc, x.sd, y.sd, z.sd, x.se, y.se, z.se, x.sf,
-                              y.sf, z.sf),
+  storeComponents16((float16)(z.sa, x.sb, y.sb, z.sb, x.sc, y.sc, z.sc, x.sd, y.sd, z.sd, x.se, y.se, z.se,
+                              x.sf, y.sf, z.sf),
                     data, component + 32, format);
 }
 
 QUELL_INLINE void storePacked4(float3L v, __global void* data, size_t component, int format) {
   const float16 x = v.x, y = v.y, z = v.z;
-  storeComponents16((float16)(x.s0, y.s0, z.s0, 1.0f, x.s1, y.s1, z.s1, 1.0f, x.s2, y.s2, z.s2, 1.0f, x.s3, y.s3,
-                              z.s3, 1.0f),
+  storeComponents16((float16)(x.s0, y.s0, z.s0, 1.0f, x.s1, y.s1, z.s1, 1.0f, x.s2, y.s2, z.s2, 1.0f, x.s3,
+                              y.s3, z.s3, 1.0f),
                     data, component, format);
-  storeComponents16((float16)(x.s4, y.s4, z.s4, 1.0f, x.s5, y.s5, z.s5, 1.0f, x.s6, y.s6, z.s6, 1.0f, x.s7, y.s7,
-                              z.s7, 1.0f),
+  storeComponents16((float16)(x.s4, y.s4, z.s4, 1.0f, x.s5, y.s5, z.s5, 1.0f, x.s6, y.s6, z.s6, 1.0f, x.s7,
+                              y.s7, z.s7, 1.0f),
                     data, component + 16, format);
-  storeComponents16((float16)(x.s8, y.s8, z.s8, 1.0f, x.s9, y.s9, z.s9, 1.0f, x.sa, y.sa, z.sa, 1.0f, x.sb, y.sb,
-                              z.sb, 1.0f),
+  storeComponents16((float16)(x.s8, y.s8, z.s8, 1.0f, x.s9, y.s9, z.s9, 1.0f, x.sa, y.sa, z.sa, 1.0f, x.sb,
+                              y.sb, z.sb, 1.0f),
                     data, component + 32, format);
-  storeComponents16((float16)(x.sc, y.sc, z.sc, 1.0f, x.sd, y.sd, z.sd, 1.0f, x.se, y.se, z.se, 1.0f, x.sf, y.sf,
-                              z.sf, 1.0f),
+  storeComponents16((float16)(x.sc, y.sc, z.sc, 1.0f, x.sd, y.sd, z.sd, 1.0f, x.se, y.se, z.se, 1.0f, x.sf,
+                              y.sf, z.sf, 1.0f),
                     data, component + 48, format);
 }
 #endif
 
 // One component of `lanes` pixels; the other lanes are 0.
-QUELL_INLINE floatL loadStrided(__global const void* data, size_t component, int format, int stride, int lanes) {
+QUELL_INLINE floatL loadStrided(__global const void* data, size_t component, int format, int stride,
+                                int lanes) {
 #if QUELL_LANES == 1
   return loadComponent(data, component, format);
 #else
@@ -106,8 +107,8 @@ QUELL_INLINE floatL loadStrided(__global const void* data, size_t component, int
 
 // Loads `lanes` pixels from column x of row y: three components; one component is spread over all three, a missing
 // third is 0. Lanes from `lanes` on are 0.
-QUELL_INLINE float3L loadPixels(__global const void* data, ImageViewParams view, int x, int y, int lanes, int format,
-                                 int channels, int stride) {
+QUELL_INLINE float3L loadPixels(__global const void* data, ImageViewParams view, int x, int y, int lanes,
+                                int format, int channels, int stride) {
   const size_t first = (size_t)view.offset + (size_t)y * (size_t)view.rowPitch + (size_t)x * (size_t)stride;
 #if QUELL_LANES == 16
   if (lanes == 16) {
@@ -125,14 +126,16 @@ QUELL_INLINE float3L loadPixels(__global const void* data, ImageViewParams view,
   float3L v;
   v.x = loadStrided(data, first, format, stride, lanes);
   v.y = channels >= 2 ? loadStrided(data, first + 1, format, stride, lanes) : v.x;
-  v.z = channels >= 3 ? loadStrided(data, first + 2, format, stride, lanes) : channels == 1 ? v.x : ZERO_LANES;
+  v.z = channels >= 3   ? loadStrided(data, first + 2, format, stride, lanes)
+        : channels == 1 ? v.x
+                        : ZERO_LANES;
   return v;
 }
 
 // Stores `lanes` pixels. A fourth component becomes 1; with fewer than three the rest is dropped. Half outputs are
 // clamped to the largest finite half by the caller.
-QUELL_INLINE void storePixels(float3L value, __global void* data, ImageViewParams view, int x, int y, int lanes,
-                               int format, int channels, int stride) {
+QUELL_INLINE void storePixels(float3L value, __global void* data, ImageViewParams view, int x, int y,
+                              int lanes, int format, int channels, int stride) {
   const size_t first = (size_t)view.offset + (size_t)y * (size_t)view.rowPitch + (size_t)x * (size_t)stride;
 #if QUELL_LANES == 16
   if (lanes == 16 && channels == 3 && stride == 3) {

@@ -14,7 +14,7 @@ typedef struct Material {
 } Material;
 
 // The images and views of one frame, in the order of every kernel's arguments.
-#define LOAD_MATERIAL(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes)             \
+#define LOAD_MATERIAL(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes)           \
   loadMaterial(radianceData, emissionData, albedoData, glossColorData, (params).radiance, (params).emission, \
                (params).albedo, (params).glossColor, x, y, lanes)
 

@@ -23,7 +23,9 @@ typedef struct BilinearTaps {
   intL inFrame[4];
 } BilinearTaps;
 
-QUELL_INLINE floatL affine(QuellFloat4 row, float3L p) { return row.x * p.x + row.y * p.y + row.z * p.z + row.w; }
+QUELL_INLINE floatL affine(QuellFloat4 row, float3L p) {
+  return row.x * p.x + row.y * p.y + row.z * p.z + row.w;
+}
 QUELL_INLINE floatL linear(QuellFloat4 row, float3L p) { return row.x * p.x + row.y * p.y + row.z * p.z; }
 
 // Camera-relative point at view depth 1 through the centre of pixel (x, y).
@@ -42,8 +44,8 @@ QUELL_INLINE floatL roundToSubpixel(floatL v) {
 
 // Pixel index in the frame before, rounded to 1/256; lanes that lie outside by a pixel or more, or behind the camera,
 // are flagged in `inside` and moved to 0.
-QUELL_INLINE intL reproject(ReprojectionParams params, float3L position, intL isDirection, int width, int height,
-                             floatL* xPrev, floatL* yPrev) {
+QUELL_INLINE intL reproject(ReprojectionParams params, float3L position, intL isDirection, int width,
+                            int height, floatL* xPrev, floatL* yPrev) {
   const floatL translate = isDirection ? ZERO_LANES : ONE_LANES;
   const floatL w = linear(params.clipWPrev, position) + translate * params.clipWPrev.w;
   const floatL inverse = 1.0f / w;
@@ -87,8 +89,8 @@ QUELL_INLINE BilinearTaps bilinearTaps(PlaneParams planes, floatL x, floatL y) {
 QUELL_INLINE int tapOffset(PlaneParams planes, int i) { return (i & 1) + (i >> 1) * planes.pitch; }
 
 // Is a history sample at this position with this normal the same surface? `limitSquared` in scene units squared.
-QUELL_INLINE intL sameSurface(ReprojectionParams params, Surface surface, float3L positionPrev, float3L normalPrev,
-                               floatL limitSquared) {
+QUELL_INLINE intL sameSurface(ReprojectionParams params, Surface surface, float3L positionPrev,
+                              float3L normalPrev, floatL limitSquared) {
   const float3L normalStep = subtract3(normalPrev, surface.normal);
   float3L step = subtract3(positionPrev, surface.position);
   step.x += params.cameraMotion.x;
@@ -119,8 +121,8 @@ QUELL_INLINE Surface checkSurface(Surface surface) {
   const floatL lengthSquared = dot3(surface.normal, surface.normal);
   surface.valid = isFinite3(surface.position) && absLanes(surface.position.x) < QUELL_MAX_POSITION &&
                   absLanes(surface.position.y) < QUELL_MAX_POSITION &&
-                  absLanes(surface.position.z) < QUELL_MAX_POSITION && lengthSquared >= QUELL_MIN_NORMAL_SQUARED &&
-                  lengthSquared <= QUELL_MAX_NORMAL_SQUARED;
+                  absLanes(surface.position.z) < QUELL_MAX_POSITION &&
+                  lengthSquared >= QUELL_MIN_NORMAL_SQUARED && lengthSquared <= QUELL_MAX_NORMAL_SQUARED;
   surface.position = select3(surface.valid, surface.position, splat3(0.0f));
   surface.normal = select3(surface.valid, surface.normal, splat3(0.0f));
   return surface;

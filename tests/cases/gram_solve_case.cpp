@@ -35,9 +35,7 @@ void GramSolveCase::upload() {
   m_harness.upload("gramTiles", m_uploaded);
 }
 
-Comparison GramSolveCase::compare() {
-  return comparePredictions(gramSolveOracle(solveInputs()));
-}
+Comparison GramSolveCase::compare() { return comparePredictions(gramSolveOracle(solveInputs())); }
 
 Comparison GramSolveCase::comparePixels() const {
   std::vector<GramFit> fits;

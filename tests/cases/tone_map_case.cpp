@@ -30,9 +30,7 @@ ToneMapCase::ToneMapCase(const CaseOptions& options, bool isLast)
     linear.values[i] = float(std::exp2(random.uniform(kDarkestLog2, 1.0)));
 }
 
-void ToneMapCase::upload() {
-  m_harness.upload("linear", linear);
-}
+void ToneMapCase::upload() { m_harness.upload("linear", linear); }
 
 Comparison ToneMapCase::compare() {
   Comparison comparison;

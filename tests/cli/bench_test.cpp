@@ -31,9 +31,7 @@ int bench(std::vector<std::string> arguments) {
   return quell(std::move(arguments));
 }
 
-json readJson(const std::string& file) {
-  return json::parse(io::readFile(file));
-}
+json readJson(const std::string& file) { return json::parse(io::readFile(file)); }
 
 std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> result;
@@ -42,9 +40,7 @@ std::vector<std::string> lines(const std::string& text) {
   return result;
 }
 
-std::ptrdiff_t commas(const std::string& line) {
-  return std::count(line.begin(), line.end(), ',');
-}
+std::ptrdiff_t commas(const std::string& line) { return std::count(line.begin(), line.end(), ','); }
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -194,8 +190,6 @@ TEST_CASE("bench answers mistakes and leaves no file", "[cli]") {
   CHECK(bench({"--size", "8x8", "--json", directory.file("missing/bench.json")}) == 1);
 }
 
-TEST_CASE("bench has a help text", "[cli]") {
-  CHECK(quell({"bench", "--help"}) == 0);
-}
+TEST_CASE("bench has a help text", "[cli]") { CHECK(quell({"bench", "--help"}) == 0); }
 
 }  // namespace quell::tests

@@ -22,9 +22,7 @@ ImageSetup withInputs(const std::vector<ImageLayout>& layouts, bool roundToHalf 
   return setup;
 }
 
-Picture denoised(const ImageSetup& setup) {
-  return SmallDenoiser(setup).run(0, kLastFrame);
-}
+Picture denoised(const ImageSetup& setup) { return SmallDenoiser(setup).run(0, kLastFrame); }
 
 // All inputs of a frame in one buffer, as structs of this many floats with padded rows.
 class StructBuffer {

@@ -13,9 +13,7 @@ bool same(const ProgramCacheCounters& a, const ProgramCacheCounters& b) {
   return a.built == b.built && a.fromMemory == b.fromMemory && a.fromDisk == b.fromDisk;
 }
 
-cl_uint referencesOf(const cl::Context& context) {
-  return context.getInfo<CL_CONTEXT_REFERENCE_COUNT>();
-}
+cl_uint referencesOf(const cl::Context& context) { return context.getInfo<CL_CONTEXT_REFERENCE_COUNT>(); }
 
 }  // namespace
 

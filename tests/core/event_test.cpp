@@ -8,9 +8,7 @@
 namespace quell::tests {
 namespace {
 
-cl_uint references(const cl::Event& event) {
-  return event.getInfo<CL_EVENT_REFERENCE_COUNT>();
-}
+cl_uint references(const cl::Event& event) { return event.getInfo<CL_EVENT_REFERENCE_COUNT>(); }
 
 Event sharing(const cl::Event& event) {
   clRetainEvent(event());
@@ -49,9 +47,7 @@ TEST_CASE("an event gives back its reference exactly once", "[core]") {
   CHECK(references(event) == before);
 }
 
-TEST_CASE("waiting for no event returns at once", "[core]") {
-  CHECK_NOTHROW(Event().wait());
-}
+TEST_CASE("waiting for no event returns at once", "[core]") { CHECK_NOTHROW(Event().wait()); }
 
 TEST_CASE("waiting for a failed event throws", "[core]") {
   const OpenDevice device;

@@ -24,10 +24,8 @@ struct ParamsStruct {
   std::size_t lastOffset;
 };
 
-#define QUELL_PARAMS(header, Struct, lastMember)                               \
-  ParamsStruct {                                                               \
-    header, #Struct, #lastMember, sizeof(Struct), offsetof(Struct, lastMember) \
-  }
+#define QUELL_PARAMS(header, Struct, lastMember) \
+  ParamsStruct { header, #Struct, #lastMember, sizeof(Struct), offsetof(Struct, lastMember) }
 
 std::vector<ParamsStruct> paramsStructs() {
   return {

@@ -17,13 +17,9 @@ constexpr Size kSize{1280, 720};
 constexpr double kPixelTolerance = 2e-3;
 const Vector kPoints[] = {{0.3, 0.2, -4.0}, {-2.0, 1.0, -7.5}, {1.5, -0.8, -3.0}, {0.0, 0.0, -40.0}};
 
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Vector add(const Vector& a, const Vector& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
+Vector add(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
 // Columns of a matrix from its rows; the camera stands at `origin`.
 Matrix4 fromRows(const Vector& x, const Vector& y, const Vector& w, const Vector& origin) {

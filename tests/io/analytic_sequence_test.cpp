@@ -33,9 +33,7 @@ Vec3 pixelOf(const Image& image, int x, int y) {
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
-double lengthOf(const Vec3& v) {
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
+double lengthOf(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 /// Where a world point falls in the image, in pixels, (0.5, 0.5) being the centre of the top left pixel.
 std::array<double, 2> project(const Matrix4& m, const Vec3& p, int width, int height) {
@@ -296,32 +294,14 @@ TEST_CASE("analytic sequence: frames outside the sequence are refused", "[io][er
 
 TEST_CASE("analytic sequence: bad options are refused", "[io][errors]") {
   AnalyticOptions options;
-  SECTION("no width") {
-    options.width = 0;
-  }
-  SECTION("negative height") {
-    options.height = -720;
-  }
-  SECTION("huge width") {
-    options.width = 1 << 20;
-  }
-  SECTION("no frames") {
-    options.frameCount = 0;
-  }
-  SECTION("negative frame count") {
-    options.frameCount = -3;
-  }
-  SECTION("negative reference samples") {
-    options.referenceSamples = -1;
-  }
-  SECTION("negative thread count") {
-    options.threadCount = -1;
-  }
-  SECTION("offset is not a number") {
-    options.worldOffset[1] = std::numeric_limits<double>::quiet_NaN();
-  }
-  SECTION("infinite offset") {
-    options.worldOffset[2] = std::numeric_limits<double>::infinity();
-  }
+  SECTION("no width") { options.width = 0; }
+  SECTION("negative height") { options.height = -720; }
+  SECTION("huge width") { options.width = 1 << 20; }
+  SECTION("no frames") { options.frameCount = 0; }
+  SECTION("negative frame count") { options.frameCount = -3; }
+  SECTION("negative reference samples") { options.referenceSamples = -1; }
+  SECTION("negative thread count") { options.threadCount = -1; }
+  SECTION("offset is not a number") { options.worldOffset[1] = std::numeric_limits<double>::quiet_NaN(); }
+  SECTION("infinite offset") { options.worldOffset[2] = std::numeric_limits<double>::infinity(); }
   requireInvalid(options);
 }

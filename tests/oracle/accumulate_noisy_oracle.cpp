@@ -27,13 +27,9 @@ struct Place {
   bool inside = false;
 };
 
-Vector3d linearPart(const QuellFloat4& row) {
-  return {row.x, row.y, row.z};
-}
+Vector3d linearPart(const QuellFloat4& row) { return {row.x, row.y, row.z}; }
 
-bool near(double value, double threshold, double rounding) {
-  return std::abs(value - threshold) <= rounding;
-}
+bool near(double value, double threshold, double rounding) { return std::abs(value - threshold) <= rounding; }
 
 Vector3d viewRay(const ReprojectionParams& params, int x, int y) {
   return linearPart(params.rayOrigin) + x * linearPart(params.rayX) + y * linearPart(params.rayY);

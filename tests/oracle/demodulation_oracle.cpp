@@ -17,9 +17,7 @@ Vector3d cleanFactor(const Vector3d& factor) {
       [](double f) { return std::isfinite(f) && f > 0.0 ? std::min<double>(f, QUELL_MAX_RADIANCE) : 0.0; });
 }
 
-double smoothstep(double t) {
-  return t * t * (3.0 - 2.0 * t);
-}
+double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
 }  // namespace
 

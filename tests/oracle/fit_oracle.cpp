@@ -21,9 +21,7 @@ std::uint32_t hash(std::uint32_t v) {
 }
 
 // Uniform in [-1, 1): the bits as a two's complement fraction.
-double signedUnit(std::uint32_t bits) {
-  return std::ldexp(double(std::int32_t(bits)), -31);
-}
+double signedUnit(std::uint32_t bits) { return std::ldexp(double(std::int32_t(bits)), -31); }
 
 // Reflections at the image's edges; an edge pixel is followed by itself.
 int mirror(int i, int size) {

@@ -34,9 +34,7 @@ GramMatrix changeOfScaling(const FitRecord& from, const FitRecord& to) {
 }
 
 // Covariances times the sum of weights; its first row and column are left 0.
-GramMatrix centred(const GramMatrix& sums) {
-  return sums - sums.col(0) * sums.row(0) / sums(0, 0);
-}
+GramMatrix centred(const GramMatrix& sums) { return sums - sums.col(0) * sums.row(0) / sums(0, 0); }
 
 bool near(double value, double threshold, double margin) {
   return std::abs(value - threshold) < margin * threshold;

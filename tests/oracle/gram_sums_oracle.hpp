@@ -41,9 +41,7 @@ std::vector<GramTile> gramSumsOracle(const GramInputs& inputs);
 GramTile unpackTile(const Planes& tiles, const GramParams& params, int tile);
 Planes packTiles(const std::vector<GramTile>& tiles);
 
-inline int gramTileCount(const GramParams& params) {
-  return params.tilesX * params.tilesY;
-}
+inline int gramTileCount(const GramParams& params) { return params.tilesX * params.tilesY; }
 
 /// The pixels of a tile that count: with a weight, inside the image or mirrored into it (again and again,
 /// maybe).

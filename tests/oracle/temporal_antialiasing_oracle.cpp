@@ -20,9 +20,7 @@ Vector3d toYCoCg(const Vector3d& rgb) {
           -0.25 * rgb.x() + 0.5 * rgb.y() - 0.25 * rgb.z()};
 }
 
-Vector3d toRgb(const Vector3d& v) {
-  return {v.x() + v.y() - v.z(), v.x() + v.z(), v.x() - v.y() - v.z()};
-}
+Vector3d toRgb(const Vector3d& v) { return {v.x() + v.y() - v.z(), v.x() + v.z(), v.x() - v.y() - v.z()}; }
 
 struct Bounds {
   Vector3d low, high;

@@ -26,13 +26,9 @@ void standStill(AccumulateFilteredInputs& inputs, float length) {
 
 }  // namespace
 
-TEST_CASE("accumulate_filtered agrees with its oracle") {
-  checkSizes(make);
-}
+TEST_CASE("accumulate_filtered agrees with its oracle") { checkSizes(make); }
 
-TEST_CASE("accumulate_filtered does not depend on the work-group") {
-  checkWorkGroups(make, {"filtered"});
-}
+TEST_CASE("accumulate_filtered does not depend on the work-group") { checkWorkGroups(make, {"filtered"}); }
 
 TEST_CASE("accumulate_filtered without history is the fitted frame") {
   AccumulateFilteredCase filtered({});

@@ -25,13 +25,9 @@ void standStill(AccumulateNoisyCase& noisy, float historyLength) {
   for (float& length : noisy.inputs.historyLengthPrev.values) length = historyLength;
 }
 
-void fill(Planes& planes, float value) {
-  std::fill(planes.values.begin(), planes.values.end(), value);
-}
+void fill(Planes& planes, float value) { std::fill(planes.values.begin(), planes.values.end(), value); }
 
-bool isSurface(const Planes& guides, int x, int y) {
-  return guides.at(QUELL_GUIDE_WEIGHT, x, y) > 0.0f;
-}
+bool isSurface(const Planes& guides, int x, int y) { return guides.at(QUELL_GUIDE_WEIGHT, x, y) > 0.0f; }
 
 std::vector<const Planes*> allOutputs(const AccumulateNoisyOutputs<float>& o) {
   return {&o.irradiance, &o.historyLength, &o.guides, &o.pixelPrev, &o.reprojectionMask};
@@ -49,9 +45,7 @@ const AccumulateNoisyVariant kPlain{kPlainMaterial, false};
 
 }  // namespace
 
-TEST_CASE("accumulate_noisy agrees with its oracle") {
-  checkSizes(maker());
-}
+TEST_CASE("accumulate_noisy agrees with its oracle") { checkSizes(maker()); }
 
 TEST_CASE("accumulate_noisy agrees with its oracle whichever images there are") {
   const AccumulateNoisyVariant variants[] = {{kPlainMaterial, true},
@@ -61,9 +55,7 @@ TEST_CASE("accumulate_noisy agrees with its oracle whichever images there are") 
   for (const AccumulateNoisyVariant& variant : variants) checkLayouts(maker(variant), {packed(3)});
 }
 
-TEST_CASE("accumulate_noisy reads every layout") {
-  checkLayouts(maker(), inputLayouts());
-}
+TEST_CASE("accumulate_noisy reads every layout") { checkLayouts(maker(), inputLayouts()); }
 
 TEST_CASE("accumulate_noisy does not depend on the work-group") {
   checkWorkGroups(maker(), {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});

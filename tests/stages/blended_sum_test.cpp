@@ -12,9 +12,7 @@ namespace {
 
 constexpr GramWindows kOverlaps[] = {kOverlap8, kOverlap16};
 
-std::string describe(const GramWindows& windows) {
-  return "tiles of " + std::to_string(windows.tileEdge);
-}
+std::string describe(const GramWindows& windows) { return "tiles of " + std::to_string(windows.tileEdge); }
 
 CaseMaker maker(const GramWindows& windows) {
   return [windows](const CaseOptions& options) -> std::unique_ptr<StageCase> {

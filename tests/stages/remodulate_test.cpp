@@ -16,9 +16,7 @@ CaseMaker maker(const MaterialVariant& variant) {
 
 }  // namespace
 
-TEST_CASE("remodulate agrees with its oracle") {
-  checkSizes(maker(kFullMaterial));
-}
+TEST_CASE("remodulate agrees with its oracle") { checkSizes(maker(kFullMaterial)); }
 
 TEST_CASE("remodulate agrees with its oracle whichever images there are") {
   const MaterialVariant variants[] = {
@@ -26,9 +24,7 @@ TEST_CASE("remodulate agrees with its oracle whichever images there are") {
   for (const MaterialVariant& variant : variants) checkLayouts(maker(variant), {packed(3)});
 }
 
-TEST_CASE("remodulate reads and writes every layout") {
-  checkLayouts(maker(kFullMaterial), outputLayouts());
-}
+TEST_CASE("remodulate reads and writes every layout") { checkLayouts(maker(kFullMaterial), outputLayouts()); }
 
 TEST_CASE("remodulate does not depend on the work-group") {
   checkWorkGroups(maker(kFullMaterial), {"linear"});

@@ -26,9 +26,7 @@ Planes constantColor(Size size, float red, float green, float blue) {
 
 }  // namespace
 
-TEST_CASE("temporal_antialiasing agrees with its oracle") {
-  checkSizes(make);
-}
+TEST_CASE("temporal_antialiasing agrees with its oracle") { checkSizes(make); }
 
 TEST_CASE("temporal_antialiasing writes every layout of the display image") {
   checkLayouts(make, outputLayouts());

@@ -29,17 +29,13 @@ std::vector<float> encode(const std::vector<float>& values, Mapping mapping) {
 
 }  // namespace
 
-TEST_CASE("tone_map agrees with its oracle") {
-  checkSizes(maker(false));
-}
+TEST_CASE("tone_map agrees with its oracle") { checkSizes(maker(false)); }
 
 TEST_CASE("tone_map writes every layout of the display image") {
   checkLayouts(maker(true), {packed(3), packed(4), packedHalf(4), interleaved(3)});
 }
 
-TEST_CASE("tone_map does not depend on the work-group") {
-  checkWorkGroups(maker(false), {"encoded"});
-}
+TEST_CASE("tone_map does not depend on the work-group") { checkWorkGroups(maker(false), {"encoded"}); }
 
 TEST_CASE("tone_map keeps 0 and 1, clamps, and never decreases") {
   for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {

@@ -17,9 +17,7 @@ std::unique_ptr<StageCase> make(const CaseOptions& options) {
 
 }  // namespace
 
-TEST_CASE("weighted_sum agrees with its oracle") {
-  checkSizes(make);
-}
+TEST_CASE("weighted_sum agrees with its oracle") { checkSizes(make); }
 
 TEST_CASE("weighted_sum agrees with its oracle at all offsets of the grid") {
   for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
@@ -35,9 +33,7 @@ TEST_CASE("weighted_sum agrees with its oracle at all offsets of the grid") {
   }
 }
 
-TEST_CASE("weighted_sum does not depend on the work-group") {
-  checkWorkGroups(make, {"fitted"});
-}
+TEST_CASE("weighted_sum does not depend on the work-group") { checkWorkGroups(make, {"fitted"}); }
 
 TEST_CASE("weighted_sum is 0 on background and where a fit broke") {
   WeightedSumCase weightedSum({});

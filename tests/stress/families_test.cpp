@@ -22,9 +22,7 @@ void checkFamilies(BlockFitter& fitter, std::uint64_t blocks) {
 
 }  // namespace
 
-TEST_CASE("gram keeps the bounds of every family") {
-  checkFamilies(sharedFitter(), kBlocks);
-}
+TEST_CASE("gram keeps the bounds of every family") { checkFamilies(sharedFitter(), kBlocks); }
 
 TEST_CASE("gram keeps the bounds with one pixel a work-item") {
   FitterOptions options = testOptions();

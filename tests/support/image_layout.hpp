@@ -19,13 +19,9 @@ struct ImageLayout {
 };
 
 /// Packed floats.
-inline ImageLayout packed(int channels) {
-  return {ComponentFormat::Float32, channels, 0, 0, 0};
-}
+inline ImageLayout packed(int channels) { return {ComponentFormat::Float32, channels, 0, 0, 0}; }
 /// Packed halves.
-inline ImageLayout packedHalf(int channels) {
-  return {ComponentFormat::Float16, channels, 0, 0, 0};
-}
+inline ImageLayout packedHalf(int channels) { return {ComponentFormat::Float16, channels, 0, 0, 0}; }
 /// Part of a struct of seven components, with an offset and padded rows: no two loads are alike.
 inline ImageLayout interleaved(int channels, ComponentFormat format = ComponentFormat::Float32) {
   return {format, channels, 7, 11, 5};

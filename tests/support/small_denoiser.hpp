@@ -30,9 +30,7 @@ struct OpenDevice {
   cl::CommandQueue queue;
 };
 
-inline ImageLayout absent() {
-  return packed(0);
-}
+inline ImageLayout absent() { return packed(0); }
 
 /// Size and layouts of the images of a frame; by default the smallest set that denoises well.
 struct ImageSetup {

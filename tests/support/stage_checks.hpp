@@ -11,9 +11,7 @@
 namespace quell::tests {
 
 /// Smaller than a work-item's lanes, off every multiple, wider than high and the other way round.
-inline std::vector<Size> testSizes() {
-  return {{1, 1}, {7, 93}, {257, 89}, {33, 31}, {480, 270}};
-}
+inline std::vector<Size> testSizes() { return {{1, 1}, {7, 93}, {257, 89}, {33, 31}, {480, 270}}; }
 
 /// Layouts that take different paths in common/image_access.h.
 inline std::vector<ImageLayout> outputLayouts() {
@@ -29,9 +27,7 @@ inline std::vector<ImageLayout> inputLayouts() {
           interleaved(4, ComponentFormat::Float16)};
 }
 
-inline const char* toString(Mapping mapping) {
-  return mapping == Mapping::Wide ? "wide" : "narrow";
-}
+inline const char* toString(Mapping mapping) { return mapping == Mapping::Wide ? "wide" : "narrow"; }
 
 inline std::string describe(const CaseOptions& options) {
   return std::to_string(options.size.width) + "x" + std::to_string(options.size.height) + " " +
