@@ -8,6 +8,7 @@
 #include "host/io/exr_image.hpp"
 #include "host/io/png_image.hpp"
 #include "host/metrics/display_encoding.hpp"
+#include "host/metrics/error.hpp"
 
 namespace quell::cli {
 namespace {
@@ -16,14 +17,6 @@ void paste(io::Image& target, const io::Image& source, int column) {
   for (int y = 0; y < source.height; ++y)
     for (int x = 0; x < source.width; ++x)
       for (int c = 0; c < 3; ++c) target.at(column + x, y, c) = source.at(x, y, c);
-}
-
-io::Image meanOfHalves(const io::Reference& reference) {
-  if (reference.b.empty()) return reference.a;
-  io::Image mean = reference.a;
-  for (std::size_t i = 0; i < mean.pixels.size(); ++i)
-    mean.pixels[i] = 0.5f * (mean.pixels[i] + reference.b.pixels[i]);
-  return mean;
 }
 
 }  // namespace
@@ -55,7 +48,7 @@ void OutputFiles::writeComparison(const io::FrameData& noisy, const DenoisedFram
   io::Image sheet(3 * width, denoised.display.height, 3);
   paste(sheet, metrics::encodeForDisplay(noisy.radiance), 0);
   paste(sheet, denoised.display, width);
-  paste(sheet, metrics::encodeForDisplay(meanOfHalves(reference)), 2 * width);
+  paste(sheet, metrics::encodeForDisplay(metrics::meanOfHalves(reference.a, reference.b)), 2 * width);
   io::writePng(path("comparison", noisy.number, "png"), sheet);
 }
 
