@@ -1,77 +1,117 @@
 // accumulate_noisy: reprojects the accumulated irradiance of the frame before and blends the new sample into it.
-// Paper:   Koskela et al. 2019, phase I (preprocessing, temporal accumulation of the noisy 1 spp data).
-// In:      the caller's radiance, normal, position (or view depth), optional emission, albedo and gloss colour, any
-//          layout; irradiance, history length and guides of the frame before.
-// Out:     irradiance (3 planes), history length (bytes), guides (7 planes, see the params), pixel index in the frame
-//          before (2 planes) and the reprojection mask (bytes).
+// Paper:   Koskela et al. 2019, phase I (preprocessing, temporal accumulation of the noisy 1 spp data); with MOMENTS
+//          also the temporal accumulation of Schied et al. 2017 (Flatval 2020, ch. 3.2: the second moment "is blended
+//          and accumulated just like the light samples").
+// In:      the caller's radiance (or diffuse and glossy radiance), normal, position (or view depth), optional emission,
+//          albedo, gloss colour and roughness, any layout; irradiance, history length, guides and moments of the
+//          frame before.
+// Out:     per signal: irradiance (3 planes), history length (bytes), reprojection mask (bytes) and, with MOMENTS, the
+//          moments of luminance (2 planes); guides (see common/guides.h); pixel index in the frame before (2 planes);
+//          with FILTER_GUIDES view depth (1 plane) and, where the caller has it, roughness (1 plane).
 // Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded: a cumulative mean
 //          first, an exponential one later.
 // Departures: history is double-buffered (the reference reads and overwrites it in one kernel); a NaN or Inf in
-//          radiance or emission is a missing sample: the pixel keeps its history, or becomes a hole that the fit
+//          radiance or emission is a missing sample: the pixel keeps its history, or becomes a hole that the filter
 //          fills; one in position or normal makes it pass through; positions are
 //          relative to the camera; see common/reprojection.h and common/demodulation.h for the rest.
 #include "accumulate_noisy_params.h"
-#include "common/material.h"
-#include "common/reprojection.h"
+#include "common/filter_input.h"
+#include "common/luminance.h"
+#include "common/surface_images.h"
 
-typedef struct Sample {
+typedef struct History {
   float3L irradiance;
+  floatL firstMoment;
+  floatL secondMoment;
+  floatL length;
   floatL weight;
-  intL present;
-} Sample;
+} History;
 
-QUELL_INLINE Sample loadSample(__global const uchar* radianceData, __global const uchar* emissionData,
-                               __global const uchar* albedoData, __global const uchar* glossColorData,
-                               AccumulateNoisyParams params, int x, int y, int lanes) {
-  const Material material =
-      LOAD_MATERIAL(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes);
-  Sample sample;
-#if DEMODULATED
-  sample.irradiance = cleanSignal(material.radiance, splat3(0.0f), material.finite);
-  sample.weight = ONE_LANES;
-#else
-  const float3L signal = cleanSignal(material.radiance, material.emission, material.finite);
-  sample.irradiance = demodulate(signal, material.factor, &sample.weight);
-#endif
-  sample.present = material.finite && sample.weight > 0.0f;
-  return sample;
+QUELL_INLINE History emptyHistory(void) {
+  History history;
+  history.irradiance = splat3(0.0f);
+  history.firstMoment = ZERO_LANES;
+  history.secondMoment = ZERO_LANES;
+  history.length = ZERO_LANES;
+  history.weight = ZERO_LANES;
+  return history;
 }
 
-QUELL_INLINE Surface loadSurface(__global const uchar* normalData, __global const uchar* positionData,
-                                 AccumulateNoisyParams params, int x, int y, int lanes) {
-  const float3L normal = LOAD_PIXELS(NORMAL, normalData, params.normal, x, y, lanes);
-  const float3L position = LOAD_PIXELS(POSITION, positionData, params.position, x, y, lanes);
-#if POSITION_IS_DEPTH
-  const float3L ray = viewRay(params.reprojection, TO_FLOAT(x + LANE_INDEX), (floatL)((float)y));
-  Surface surface;
-  surface.position = scale3(ray, position.x);
-  surface.normal = normal;
-#else
-  Surface surface = makeSurface(params.reprojection, position, normal);
+// Adds one bilinear tap; the pointers are those of the signal, moved to the tap.
+QUELL_INLINE History addTap(History history, floatL weight, GatherPlan plan, int stride,
+                            __global const float* irradiance, __global const float* moments,
+                            __global const uchar* length) {
+  history.irradiance = add3(history.irradiance, scale3(gatherLanes3(irradiance, plan, stride), weight));
+  history.length += weight * gatherByteLanes(length, plan);
+  history.weight += weight;
+#if MOMENTS
+  history.firstMoment += weight * gatherLanes(moments + QUELL_MOMENT_FIRST * stride, plan);
+  history.secondMoment += weight * gatherLanes(moments + QUELL_MOMENT_SECOND * stride, plan);
 #endif
-  surface = checkSurface(surface);
-  surface.valid = surface.valid && LANE_INDEX < lanes;
-  return surface;
+  return history;
 }
 
-__kernel void accumulate_noisy(__global const uchar* radianceData, __global const uchar* emissionData,
-                               __global const uchar* albedoData, __global const uchar* glossColorData,
-                               __global const uchar* normalData, __global const uchar* positionData,
-                               __global const float* irradiancePrev, __global const uchar* historyLengthPrev,
-                               __global const float* guidesPrev, __global float* irradiance,
-                               __global uchar* historyLength, __global float* guides,
+QUELL_INLINE History normaliseHistory(History history) {
+  const floatL inverse = 1.0f / (history.weight > 0.0f ? history.weight : ONE_LANES);
+  history.irradiance = scale3(history.irradiance, inverse);
+  history.length *= inverse;
+#if MOMENTS
+  history.firstMoment *= inverse;
+  history.secondMoment *= inverse;
+#endif
+  return history;
+}
+
+QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
+  return newest * weight + history * (1.0f - weight);
+}
+
+// Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
+// as a filter tap. The pointers are those of the signal, moved to the pixel.
+QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisyParams params,
+                                 __global float* irradiance, __global float* moments,
+                                 __global uchar* length) {
+  const int stride = params.planes.stride;
+  const intL hasHistory = history.weight > 0.0f;
+  const intL lengthPrev = floorLanes(history.length + 0.5f);
+  const floatL cumulative = 1.0f / (TO_FLOAT(lengthPrev) + 1.0f);
+  const floatL blend = sample.present ? maxLanes(cumulative, (floatL)(params.leastWeight)) : ZERO_LANES;
+  float3L blended = add3(scale3(sample.irradiance, blend), scale3(history.irradiance, 1.0f - blend));
+  blended = select3(sample.present || hasHistory, blended, splat3(0.0f));
+  storeLanes3(blended, irradiance, 0, stride);
+#if MOMENTS
+  const floatL newest = luminance(sample.irradiance);
+  const floatL momentsBlend =
+      sample.present ? maxLanes(cumulative, (floatL)(params.momentsLeastWeight)) : ZERO_LANES;
+  const floatL first = mixLanes(history.firstMoment, newest, momentsBlend);
+  const floatL second = mixLanes(history.secondMoment, newest * newest, momentsBlend);
+  storeLanes(sample.present || hasHistory ? first : ZERO_LANES, moments + QUELL_MOMENT_FIRST * stride);
+  storeLanes(sample.present || hasHistory ? second : ZERO_LANES, moments + QUELL_MOMENT_SECOND * stride);
+#endif
+  storeByteLanes(
+      minLanesInt(lengthPrev + (sample.present ? (intL)(1) : (intL)(0)), (intL)(QUELL_MAX_HISTORY_LENGTH)),
+      length);
+  return (sample.present || hasHistory) ? (sample.present ? sample.weight : ONE_LANES) : ZERO_LANES;
+}
+
+__kernel void accumulate_noisy(MATERIAL_ARGUMENTS, SURFACE_ARGUMENTS, __global const float* irradiancePrev,
+                               __global const uchar* historyLengthPrev, __global const float* guidesPrev,
+                               __global const float* momentsPrev, __global float* irradiance,
+                               __global uchar* historyLength, __global float* guides, __global float* moments,
                                __global float* pixelPrev, __global uchar* reprojectionMask,
+                               __global float* viewDepth, __global float* roughness,
                                AccumulateNoisyParams params) {
   const PlaneParams planes = params.planes;
+  const int stride = planes.stride;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
   if (x >= planes.width || y >= planes.height) return;
   const int lanes = min(QUELL_LANES, planes.width - x);
   const int index = planeIndex(planes, x, y);
 
-  const Sample sample =
-      loadSample(radianceData, emissionData, albedoData, glossColorData, params, x, y, lanes);
-  const Surface surface = loadSurface(normalData, positionData, params, x, y, lanes);
+  const Material material = LOAD_MATERIAL(params.material, x, y, lanes);
+  const Surface surface =
+      loadSurface(normalData, positionData, params.surface, params.reprojection, x, y, lanes);
 
   // Background moves like a point at infinity: only TAA uses where it was.
   const float3L ray = viewRay(params.reprojection, TO_FLOAT(x + LANE_INDEX), (floatL)((float)y));
@@ -82,53 +122,52 @@ __kernel void accumulate_noisy(__global const uchar* radianceData, __global cons
   const BilinearTaps taps = bilinearTaps(planes, xPrev, yPrev);
   const floatL limitSquared = positionLimitSquared(params.reprojection, surface);
 
-  float3L sum = splat3(0.0f);
-  floatL lengthSum = ZERO_LANES;
-  floatL weightSum = ZERO_LANES;
-  intL mask = inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0);
+  History history[QUELL_SIGNALS];
+  intL mask[QUELL_SIGNALS];
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    history[s] = emptyHistory();
+    mask[s] = inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0);
+  }
   const intL wanted = inside && surface.valid;
   if (anyLane(wanted)) {
     for (int i = 0; i < 4; ++i) {
       const int offset = tapOffset(planes, i);
       const float3L positionPrev =
-          gatherLanes3(guidesPrev + QUELL_GUIDE_POSITION * planes.stride + offset, taps.plan, planes.stride);
+          gatherLanes3(guidesPrev + QUELL_GUIDE_POSITION * stride + offset, taps.plan, stride);
       const float3L normalPrev =
-          gatherLanes3(guidesPrev + QUELL_GUIDE_NORMAL * planes.stride + offset, taps.plan, planes.stride);
-      const floatL weightPrev =
-          gatherLanes(guidesPrev + QUELL_GUIDE_WEIGHT * planes.stride + offset, taps.plan);
-      const floatL weight = taps.weight[i] * weightPrev;
-      const intL accepted = wanted && taps.inFrame[i] && weight > 0.0f &&
-                            sameSurface(params.reprojection, surface, positionPrev, normalPrev, limitSquared);
-      const float3L tap = gatherLanes3(irradiancePrev + offset, taps.plan, planes.stride);
-      const floatL length = gatherByteLanes(historyLengthPrev + offset, taps.plan);
-      const floatL used = accepted ? weight : ZERO_LANES;
-      sum = add3(sum, scale3(tap, used));
-      lengthSum += used * length;
-      weightSum += used;
-      mask = mask | (accepted ? (intL)(QUELL_TAP_ACCEPTED(i)) : (intL)(0));
+          gatherLanes3(guidesPrev + QUELL_GUIDE_NORMAL * stride + offset, taps.plan, stride);
+      const intL same = wanted && taps.inFrame[i] &&
+                        sameSurface(params.reprojection, surface, positionPrev, normalPrev, limitSquared);
+      for (int s = 0; s < QUELL_SIGNALS; ++s) {
+        const floatL weightPrev =
+            gatherLanes(guidesPrev + (QUELL_GUIDE_WEIGHT + s) * stride + offset, taps.plan);
+        const floatL weight = taps.weight[i] * weightPrev;
+        const intL accepted = same && weight > 0.0f;
+        history[s] = addTap(history[s], accepted ? weight : ZERO_LANES, taps.plan, stride,
+                            irradiancePrev + 3 * s * stride + offset,
+                            momentsPrev + QUELL_MOMENT_PLANES * s * stride + offset,
+                            historyLengthPrev + s * stride + offset);
+        mask[s] = mask[s] | (accepted ? (intL)(QUELL_TAP_ACCEPTED(i)) : (intL)(0));
+      }
     }
   }
 
-  const intL hasHistory = weightSum > 0.0f;
-  const floatL inverseWeight = 1.0f / (hasHistory ? weightSum : ONE_LANES);
-  const float3L history = scale3(sum, inverseWeight);
-  const intL lengthPrev = floorLanes(lengthSum * inverseWeight + 0.5f);
-  const intL present = sample.present && surface.valid;
-  const floatL cumulative = 1.0f / (TO_FLOAT(lengthPrev) + 1.0f);
-  const floatL blend =
-      present ? (hasHistory ? maxLanes(cumulative, (floatL)(params.leastWeight)) : ONE_LANES) : ZERO_LANES;
-  float3L blended = add3(scale3(sample.irradiance, blend), scale3(history, 1.0f - blend));
-  blended = select3(present || hasHistory, blended, splat3(0.0f));
-  const intL length =
-      minLanesInt(lengthPrev + (present ? (intL)(1) : (intL)(0)), (intL)(QUELL_MAX_HISTORY_LENGTH));
-  const floatL storedWeight = (present || hasHistory) ? (present ? sample.weight : ONE_LANES) : ZERO_LANES;
-
-  storeLanes3(blended, irradiance, index, planes.stride);
-  storeByteLanes(length, historyLength + index);
-  storeLanes3(surface.position, guides + QUELL_GUIDE_POSITION * planes.stride, index, planes.stride);
-  storeLanes3(surface.normal, guides + QUELL_GUIDE_NORMAL * planes.stride, index, planes.stride);
-  storeLanes(storedWeight, guides + QUELL_GUIDE_WEIGHT * planes.stride + index);
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    const floatL weight =
+        storeBlended(normaliseHistory(history[s]), makeSample(material.signals[s], surface.valid), params,
+                     irradiance + 3 * s * stride + index, moments + QUELL_MOMENT_PLANES * s * stride + index,
+                     historyLength + s * stride + index);
+    storeLanes(weight, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
+    storeByteLanes(mask[s], reprojectionMask + s * stride + index);
+  }
+  storeLanes3(surface.position, guides + QUELL_GUIDE_POSITION * stride, index, stride);
+  storeLanes3(surface.normal, guides + QUELL_GUIDE_NORMAL * stride, index, stride);
   storeLanes(xPrev, pixelPrev + index);
-  storeLanes(yPrev, pixelPrev + index + planes.stride);
-  storeByteLanes(mask, reprojectionMask + index);
+  storeLanes(yPrev, pixelPrev + index + stride);
+#if FILTER_GUIDES
+  storeLanes(affine(params.reprojection.viewDepth, surface.position), viewDepth + index);
+#if ROUGHNESS_FORMAT
+  storeLanes(loadRoughness(roughnessData, params.surface, x, y, lanes), roughness + index);
+#endif
+#endif
 }

@@ -2,16 +2,14 @@
 #ifndef QUELL_REMODULATE_PARAMS_H
 #define QUELL_REMODULATE_PARAMS_H
 
+#include "common/material_params.h"
 #include "common/types.h"
 
 QUELL_NAMESPACE_BEGIN
 
 typedef struct RemodulateParams {
   PlaneParams planes;
-  ImageViewParams radiance;
-  ImageViewParams emission;
-  ImageViewParams albedo;
-  ImageViewParams glossColor;
+  MaterialParams material;
   ImageViewParams output;
 } RemodulateParams;
 

@@ -107,9 +107,9 @@ class WarmUpImages {
   WarmUpImages(const cl::Context& context, const cl::CommandQueue& queue, const Frame& layout,
                const Output& outputLayout)
       : frame(layout), output(outputLayout) {
-    for (ImageView* view :
-         {&frame.radiance, &frame.normalWorld, &frame.positionWorld, &frame.viewDepth, &frame.albedo,
-          &frame.glossColor, &frame.emission, &output.linear, &output.display}) {
+    for (ImageView* view : {&frame.radiance, &frame.glossyRadiance, &frame.normalWorld, &frame.positionWorld,
+                            &frame.viewDepth, &frame.albedo, &frame.glossColor, &frame.roughness,
+                            &frame.emission, &output.linear, &output.display}) {
       if (!view->present()) continue;
       const std::size_t bytes = view->requiredBytes(layout.size);
       m_buffers.emplace_back(context, CL_MEM_READ_WRITE, bytes);

@@ -5,31 +5,27 @@
 #include <string>
 
 #include "host/core/stage.hpp"
+#include "kernels/common/material_params.h"
+#include "kernels/common/surface_params.h"
 
 namespace quell {
+
+/// Signals that are filtered: 2 where the caller gives glossy radiance apart, else 1.
+inline int signalCount(const Frame& frame) { return frame.glossyRadiance.present() ? 2 : 1; }
 
 /// World position, or view depth where that is given instead.
 inline const ImageView& positionView(const Frame& frame) {
   return frame.positionWorld.present() ? frame.positionWorld : frame.viewDepth;
 }
 
-/// Compile options for radiance and what it is divided by.
-inline std::string materialOptions(const Frame& frame) {
-  return layoutOptions("RADIANCE", frame.radiance) + layoutOptions("EMISSION", frame.emission) +
-         layoutOptions("ALBEDO", frame.albedo) + layoutOptions("GLOSSCOLOR", frame.glossColor) +
-         (frame.demodulated ? " -D DEMODULATED=1" : " -D DEMODULATED=0");
-}
+/// Compile options for light and what it is divided by. `demodulate`: see demodulationSetting().
+std::string materialOptions(const Configuration& configuration);
+MaterialParams makeMaterialParams(const Frame& frame);
+/// Bytes of light and what it is divided by.
+std::uint64_t materialBytes(const Frame& frame);
 
-/// Compile options for normal and position.
-inline std::string surfaceOptions(const Frame& frame) {
-  return layoutOptions("NORMAL", frame.normalWorld) + layoutOptions("POSITION", positionView(frame)) +
-         (frame.positionWorld.present() ? " -D POSITION_IS_DEPTH=0" : " -D POSITION_IS_DEPTH=1");
-}
-
-/// Bytes of radiance and what it is divided by.
-inline std::uint64_t materialBytes(const Frame& frame) {
-  return imageBytes(frame.radiance, frame.size) + imageBytes(frame.emission, frame.size) +
-         imageBytes(frame.albedo, frame.size) + imageBytes(frame.glossColor, frame.size);
-}
+/// Compile options for normal, position and roughness.
+std::string surfaceOptions(const Frame& frame);
+SurfaceParams makeSurfaceParams(const Frame& frame);
 
 }  // namespace quell

@@ -131,6 +131,8 @@ ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const
   params.cameraLow = toFloat4(origin - high, 0.0);
   const Row w = rowRelativeTo(camera.worldToClip, 3, origin);
   params.clipW = toFloat4(w.linear, w.constant);
+  const Row axis = isOrthographic(camera.worldToClip) ? rowRelativeTo(camera.worldToClip, 2, origin) : w;
+  params.viewDepth = toFloat4(axis.linear / glm::length(axis.linear), 0.0);
   setViewRays(params, camera, size);
 
   if (historyValid) {

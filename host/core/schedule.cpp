@@ -38,6 +38,17 @@ Lifetime lifetimeOf(const std::string& name, const std::vector<StageRow>& stages
   return lifetime;
 }
 
+// The buffers that a stage uses, first used first: then most of them find memory that is free again.
+std::vector<BufferSpec> inOrderOfUse(const Schedule& schedule) {
+  std::vector<BufferSpec> used;
+  for (const BufferSpec& spec : schedule.buffers)
+    if (spec.history || lifetimeOf(spec.name, schedule.stages).first >= 0) used.push_back(spec);
+  std::stable_sort(used.begin(), used.end(), [&](const BufferSpec& a, const BufferSpec& b) {
+    return lifetimeOf(a.name, schedule.stages).first < lifetimeOf(b.name, schedule.stages).first;
+  });
+  return used;
+}
+
 std::string joinedNames(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : " + ") + name;
@@ -83,9 +94,8 @@ BufferSet::BufferSet(const cl::Context& context, const cl::CommandQueue& queue, 
                      Size size) {
   // Line of the table after which the memory of each slot is free again.
   std::vector<int> busyUntil;
-  for (const BufferSpec& spec : schedule.buffers) {
+  for (const BufferSpec& spec : inOrderOfUse(schedule)) {
     const Lifetime lifetime = lifetimeOf(spec.name, schedule.stages);
-    if (lifetime.first < 0 && !spec.history) continue;  // no stage of this configuration uses it
     const std::size_t bytes = elementCount(spec, size) * elementBytes(spec.element);
     std::size_t slot = m_slots.size();
     for (std::size_t i = 0; i < m_slots.size() && !spec.history && slot == m_slots.size(); ++i)

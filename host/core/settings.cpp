@@ -92,6 +92,16 @@ void Settings::set(const std::string& name, const std::string& text) {
   set(name, value);
 }
 
+void Settings::usePreset(const std::string& preset) {
+  if (preset != "default" && preset != "paper")
+    throw Error(ErrorCode::UnknownSetting, {"settings", "preset", "default or paper", preset});
+  for (std::size_t i = 0; i < m_values.size(); ++i) {
+    const SettingDescription& setting = descriptions()[i];
+    if (preset == "default") m_values[i] = setting.defaultValue;
+    if (preset == "paper" && setting.paper) m_values[i] = *setting.paper;
+  }
+}
+
 double Settings::get(const std::string& name) const { return m_values[indexOf(name)]; }
 
 bool Settings::isOn(const std::string& name) const { return get(name) != 0.0; }

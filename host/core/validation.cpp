@@ -30,13 +30,15 @@ struct NamedView {
   bool output;
 };
 
-std::array<NamedView, 9> namedViews(const Frame& frame, const Output& output) {
+std::array<NamedView, 11> namedViews(const Frame& frame, const Output& output) {
   return {{{"radiance", &frame.radiance, 1, 4, false},
+           {"glossyRadiance", &frame.glossyRadiance, 1, 4, false},
            {"normalWorld", &frame.normalWorld, 3, 4, false},
            {"positionWorld", &frame.positionWorld, 3, 4, false},
            {"viewDepth", &frame.viewDepth, 1, 1, false},
            {"albedo", &frame.albedo, 1, 4, false},
            {"glossColor", &frame.glossColor, 1, 4, false},
+           {"roughness", &frame.roughness, 1, 1, false},
            {"emission", &frame.emission, 1, 4, false},
            {"output.linear", &output.linear, 3, 4, true},
            {"output.display", &output.display, 3, 4, true}}};
@@ -130,9 +132,6 @@ void checkLayout(const Frame& frame, const Output& output) {
     refuse(kPrepare, ErrorCode::InvalidArgument, "positionWorld", "either positionWorld or viewDepth",
            frame.positionWorld.present() ? "both" : "none");
   }
-  if (frame.demodulated && frame.emission.present())
-    refuse(kPrepare, ErrorCode::InvalidArgument, "emission", "no emission with demodulated radiance",
-           "an image");
   if (!output.linear.present() && !output.display.present())
     refuse(kPrepare, ErrorCode::InvalidArgument, "output", "a linear or a display image", "none");
 }

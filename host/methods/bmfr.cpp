@@ -2,23 +2,23 @@
 
 #include <quell/error.hpp>
 
+#include "host/core/frame_images.hpp"
+#include "host/methods/common_settings.hpp"
+#include "host/methods/method_table.hpp"
 #include "host/stages/accumulate_filtered.hpp"
 #include "host/stages/accumulate_noisy.hpp"
 #include "host/stages/blended_sum.hpp"
 #include "host/stages/fit.hpp"
 #include "host/stages/gram_solve.hpp"
 #include "host/stages/gram_sums.hpp"
-#include "host/stages/remodulate.hpp"
-#include "host/stages/temporal_antialiasing.hpp"
-#include "host/stages/tone_map.hpp"
 #include "host/stages/weighted_sum.hpp"
 
 namespace quell {
 namespace {
 
-std::vector<SettingDescription> settings() {
+SettingList settings() {
   using Kind = SettingKind;
-  return {
+  const SettingList fit = {
       {"noisyLeastWeight",
        Kind::Real,
        0.2,
@@ -36,33 +36,6 @@ std::vector<SettingDescription> settings() {
        "",
        "least weight of the newest filtered frame",
        "Koskela et al. 2019, phase III",
-       {}},
-      {"positionLimitFootprints",
-       Kind::Real,
-       8.0,
-       0.0,
-       1e6,
-       "pixel footprints",
-       "history farther than this from the surface is discarded",
-       "sweep over four rendered sequences: flat from 4 to 64",
-       {}},
-      {"positionLimit",
-       Kind::Real,
-       0.0,
-       0.0,
-       1e18,
-       "scene units",
-       "the same limit in scene units, as the paper has it; above 0 it replaces positionLimitFootprints",
-       "Koskela et al. 2019, phase I",
-       {}},
-      {"normalLimitSquared",
-       Kind::Real,
-       0.1,
-       0.0,
-       4.0,
-       "",
-       "history whose unit normal differs by more (squared length of the difference) is discarded",
-       "reference implementation; a sweep from 0.03 to 1 changes the error by 1 %",
        {}},
       {"noiseAmplitude",
        Kind::Real,
@@ -109,35 +82,8 @@ std::vector<SettingDescription> settings() {
        "format of the matrix while a block is factorised (householder only)",
        "Koskela et al. 2019, reference implementation (half)",
        {"float", "half"}},
-      {"taa",
-       Kind::Boolean,
-       1.0,
-       0.0,
-       1.0,
-       "",
-       "temporal antialiasing of the display output",
-       "Koskela et al. 2019, phase III",
-       {}},
-      {"taaNewestWeight",
-       Kind::Real,
-       0.2,
-       0.001,
-       1.0,
-       "",
-       "weight of the newest frame in temporal antialiasing",
-       "Koskela et al. 2019, reference implementation",
-       {}},
   };
-}
-
-BufferSpec history(const std::string& name, Element element, int planes) {
-  return {name, element, planes, 0, true};
-}
-BufferSpec transient(const std::string& name, Element element, int planes) {
-  return {name, element, planes, 0, false};
-}
-BufferSpec elements(const std::string& name, std::size_t count) {
-  return {name, Element::Float32, 0, count, false};
+  return joined({fit, demodulationSettings(), discardSettings(), antialiasingSettings()});
 }
 
 GramWindows makeWindows(const Settings& s) {
@@ -153,11 +99,12 @@ GramWindows makeWindows(const Settings& s) {
 
 Schedule makeSchedule(const Configuration& configuration) {
   const Settings& s = configuration.settings;
+  if (signalCount(configuration.frame) != 1)
+    throw Error(ErrorCode::InvalidArgument,
+                {"prepare", "glossyRadiance", "one signal with the method bmfr", "two"});
   const auto storage = static_cast<FeatureStorage>(static_cast<int>(s.get("featureStorage")));
   const bool gram = s.text("solver") == "gram";
   const GramWindows windows = makeWindows(s);
-  const bool display = configuration.output.display.present();
-  const bool taa = display && s.isOn("taa");
   const Size size = configuration.size();
 
   Schedule schedule;
@@ -169,20 +116,17 @@ Schedule makeSchedule(const Configuration& configuration) {
       transient("pixelPrev", Element::Float32, 2),
       transient("reprojectionMask", Element::UInt8, 1),
       transient("fitted", Element::Float32, 3),
-      transient("linear", Element::Float32, 3),
-      transient("encoded", Element::Float32, 3),
       elements("fitRecords", gram ? gramRecordElements(windows, size) : Fit::recordElements(size)),
       elements("gramTiles", gramTileElements(windows, size)),
       elements("fitStorage", Fit::storageElements(size, storage)),
   };
-  if (taa) schedule.buffers.push_back(history("antialiased", Element::Float32, 3));
 
   const auto add = [&](std::unique_ptr<Stage> stage, std::vector<std::string> reads,
                        std::vector<std::string> writes) {
-    schedule.stages.push_back({std::move(stage), std::move(reads), std::move(writes)});
+    addStage(schedule, std::move(stage), std::move(reads), std::move(writes));
   };
   // clang-format off
-  add(std::make_unique<AccumulateNoisy>(s.get("noisyLeastWeight")),
+  add(std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{s.get("noisyLeastWeight")}),
       {"irradiance.prev", "historyLength.prev", "guides.prev"},
       {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});
   if (gram) {
@@ -209,26 +153,9 @@ Schedule makeSchedule(const Configuration& configuration) {
   add(std::make_unique<AccumulateFiltered>(s.get("filteredLeastWeight")),
       {"fitted", "filtered.prev", "pixelPrev", "reprojectionMask", "historyLength"},
       {"filtered"});
-  add(std::make_unique<Remodulate>(display),
-      {"filtered", "guides"},
-      display ? std::vector<std::string>{"linear"} : std::vector<std::string>{});
-  if (display) {
-    add(std::make_unique<ToneMap>(!taa),
-        {"linear"},
-        taa ? std::vector<std::string>{"encoded"} : std::vector<std::string>{});
-  }
-  if (taa) {
-    add(std::make_unique<TemporalAntialiasing>(s.get("taaNewestWeight")),
-        {"encoded", "antialiased.prev", "pixelPrev", "reprojectionMask"},
-        {"antialiased"});
-  }
   // clang-format on
+  addOutputStages(schedule, configuration, "filtered", s.isOn("taa"));
   return schedule;
-}
-
-DiscardLimits discardLimits(const Settings& s) {
-  const double fixed = s.get("positionLimit");
-  return {fixed, fixed > 0.0 ? 0.0 : s.get("positionLimitFootprints"), s.get("normalLimitSquared")};
 }
 
 }  // namespace

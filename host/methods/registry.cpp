@@ -1,12 +1,14 @@
 #include <quell/error.hpp>
 
+#include "host/methods/atrous.hpp"
 #include "host/methods/bmfr.hpp"
 #include "host/methods/method.hpp"
+#include "host/methods/svgf.hpp"
 
 namespace quell {
 
 const std::vector<Method>& methods() {
-  static const std::vector<Method> all = {bmfrMethod()};
+  static const std::vector<Method> all = {bmfrMethod(), svgfMethod(), atrousMethod()};
   return all;
 }
 

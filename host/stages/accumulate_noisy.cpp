@@ -5,35 +5,41 @@
 namespace quell {
 
 void AccumulateNoisy::build(const KernelBuilder& builder) {
-  const Frame& frame = builder.configuration().frame;
-  m_kernel = builder.build("accumulate_noisy", materialOptions(frame) + surfaceOptions(frame));
+  const Configuration& configuration = builder.configuration();
+  m_kernel =
+      builder.build("accumulate_noisy", materialOptions(configuration) + surfaceOptions(configuration.frame) +
+                                            " -D MOMENTS=" + (hasMoments() ? "1" : "0") +
+                                            " -D FILTER_GUIDES=" + (m_setup.filterGuides ? "1" : "0"));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
 void AccumulateNoisy::enqueue(FrameRun& run) {
-  const Size size = run.configuration.size();
-  const ImageView& position = positionView(run.frame);
+  const Frame& frame = run.frame;
+  const bool roughness = m_setup.filterGuides && frame.roughness.present();
+  const auto bufferIf = [&](bool wanted, const char* name) {
+    return wanted ? run.buffer(name) : cl::Buffer();
+  };
   AccumulateNoisyParams params{};
   params.reprojection = run.reprojection;
-  params.planes = makePlanes(size);
-  params.radiance = makeViewParams(run.frame.radiance, size);
-  params.emission = makeViewParams(run.frame.emission, size);
-  params.albedo = makeViewParams(run.frame.albedo, size);
-  params.glossColor = makeViewParams(run.frame.glossColor, size);
-  params.normal = makeViewParams(run.frame.normalWorld, size);
-  params.position = makeViewParams(position, size);
-  params.leastWeight = static_cast<float>(m_leastWeight);
-  run.launch(m_kernel, run.pixelRange(), m_workGroup, run.frame.radiance, run.frame.emission,
-             run.frame.albedo, run.frame.glossColor, run.frame.normalWorld, position,
-             run.buffer("irradiance.prev"), run.buffer("historyLength.prev"), run.buffer("guides.prev"),
-             run.buffer("irradiance"), run.buffer("historyLength"), run.buffer("guides"),
-             run.buffer("pixelPrev"), run.buffer("reprojectionMask"), params);
+  params.planes = makePlanes(frame.size);
+  params.material = makeMaterialParams(frame);
+  params.surface = makeSurfaceParams(frame);
+  params.leastWeight = static_cast<float>(m_setup.leastWeight);
+  params.momentsLeastWeight = static_cast<float>(m_setup.momentsLeastWeight);
+  run.launch(m_kernel, run.pixelRange(), m_workGroup, frame.radiance, frame.glossyRadiance, frame.emission,
+             frame.albedo, frame.glossColor, frame.normalWorld, positionView(frame), frame.roughness,
+             run.buffer(m_setup.irradiancePrev), run.buffer("historyLength.prev"), run.buffer("guides.prev"),
+             bufferIf(hasMoments(), "moments.prev"), run.buffer("irradiance"), run.buffer("historyLength"),
+             run.buffer("guides"), bufferIf(hasMoments(), "moments"), run.buffer("pixelPrev"),
+             run.buffer("reprojectionMask"), bufferIf(m_setup.filterGuides, "viewDepth"),
+             bufferIf(roughness, "roughness"), params);
 }
 
 std::uint64_t AccumulateNoisy::callerBytes(const Configuration& configuration) const {
   const Frame& frame = configuration.frame;
   return materialBytes(frame) + imageBytes(frame.normalWorld, frame.size) +
-         imageBytes(positionView(frame), frame.size);
+         imageBytes(positionView(frame), frame.size) +
+         (m_setup.filterGuides ? imageBytes(frame.roughness, frame.size) : 0);
 }
 
 }  // namespace quell

@@ -6,23 +6,20 @@ namespace quell {
 
 void Remodulate::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
-  m_kernel = builder.build("remodulate", materialOptions(configuration.frame) +
+  m_kernel = builder.build("remodulate", materialOptions(configuration) +
                                              layoutOptions("OUTPUT", configuration.output.linear) +
                                              " -D WRITE_PLANES=" + (m_writePlanes ? "1" : "0"));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
 void Remodulate::enqueue(FrameRun& run) {
-  const Size size = run.configuration.size();
+  const Frame& frame = run.frame;
   RemodulateParams params{};
-  params.planes = makePlanes(size);
-  params.radiance = makeViewParams(run.frame.radiance, size);
-  params.emission = makeViewParams(run.frame.emission, size);
-  params.albedo = makeViewParams(run.frame.albedo, size);
-  params.glossColor = makeViewParams(run.frame.glossColor, size);
-  params.output = makeViewParams(run.output.linear, size);
-  run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("filtered"), run.buffer("guides"),
-             run.frame.radiance, run.frame.emission, run.frame.albedo, run.frame.glossColor,
+  params.planes = makePlanes(frame.size);
+  params.material = makeMaterialParams(frame);
+  params.output = makeViewParams(run.output.linear, frame.size);
+  run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer(m_filtered), run.buffer("guides"),
+             frame.radiance, frame.glossyRadiance, frame.emission, frame.albedo, frame.glossColor,
              m_writePlanes ? run.buffer("linear") : cl::Buffer(), run.output.linear, params);
 }
 

@@ -9,14 +9,17 @@ namespace quell {
 /// See kernels/remodulate.cl for what it computes, from what and after which paper.
 class Remodulate : public Stage {
  public:
-  /// `writePlanes`: whether a later stage reads the linear radiance.
-  explicit Remodulate(bool writePlanes) : m_writePlanes(writePlanes) {}
+  /// `filtered`: the buffer with the filtered irradiance; `writePlanes`: whether a later stage reads the
+  /// linear radiance.
+  Remodulate(std::string filtered, bool writePlanes)
+      : m_filtered(std::move(filtered)), m_writePlanes(writePlanes) {}
   std::string name() const override { return "remodulate"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
   std::uint64_t callerBytes(const Configuration& configuration) const override;
 
  private:
+  std::string m_filtered;
   bool m_writePlanes;
   cl::Kernel m_kernel;
   cl::NDRange m_workGroup;

@@ -290,8 +290,8 @@ class BlockFitter::Implementation {
   std::string m_name;
   double m_noiseAmplitude;
   Configuration m_configuration;
-  AccumulateNoisy m_accumulateFloat{1.0};
-  AccumulateNoisy m_accumulateHalf{1.0};
+  AccumulateNoisy m_accumulateFloat{AccumulateNoisy::Setup{1.0}};
+  AccumulateNoisy m_accumulateHalf{AccumulateNoisy::Setup{1.0}};
   SharedKernel m_fit, m_gramSums;
   cl::Kernel m_gramSolve, m_weightedSum;
   std::size_t m_blocks = 0;

@@ -18,6 +18,9 @@ struct Frame {
   /// Linear radiance with emission included, 1, 3 or 4 channels (one is spread to RGB, a fourth ignored), one
   /// sample per pixel or more. Radiance minus emission is clamped to [0, 65504].
   ImageView radiance;
+  /// Glossy radiance, layouts and values as radiance; optional. With it, two signals are filtered side by side:
+  /// radiance is then the diffuse part alone (with emission), and the output is the sum of both.
+  ImageView glossyRadiance;
   /// Shading normal, world space, unit length (0.5 to 2 is tolerated), 3 or 4 channels. A zero normal marks
   /// background, which passes through unfiltered.
   ImageView normalWorld;
@@ -29,12 +32,16 @@ struct Frame {
   ImageView viewDepth;
   /// Diffuse albedo, reflectance 0 to 1; optional.
   ImageView albedo;
-  /// Tint of the glossy lobe, reflectance 0 to 1, optional. Irradiance is (radiance - emission) / (albedo +
-  /// gloss colour); with neither given the factor is 1.
+  /// Tint of the glossy lobe, reflectance 0 to 1, optional. With one signal irradiance is (radiance -
+  /// emission) / (albedo + gloss colour), with two (radiance - emission) / albedo and glossyRadiance / gloss
+  /// colour; a factor that is not given is 1.
   ImageView glossColor;
+  /// Roughness, 0 to 1, 1 channel; the alpha of GGX is its square. Optional: edges where it changes are kept.
+  ImageView roughness;
   /// Emitted radiance and visible sky, linear, added back unfiltered; optional.
   ImageView emission;
-  /// True where radiance is irradiance already: divided by albedo, emission not included.
+  /// True where radiance is irradiance already: divided by albedo (glossyRadiance: by gloss colour), emission
+  /// not included.
   bool demodulated = false;
 };
 

@@ -1,6 +1,7 @@
 // Methods and their settings, by name: one list serves C++ callers, command lines, files and documentation.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct SettingDescription {
   std::string description;
   std::string source;                ///< paper and section, or how the default was found
   std::vector<std::string> choices;  ///< for Choice only
+  std::optional<double> paper = {};  ///< the value of the method's paper, where it has this setting
 };
 
 /// Values of the settings of one method; starts at the defaults.
@@ -34,6 +36,10 @@ class Settings {
   void set(const std::string& name, double value);
   /// Accepts numbers, on/off/true/false for switches and the names of choices. Throws as above.
   void set(const std::string& name, const std::string& text);
+
+  /// Sets what `preset` has a value for: "default" everything, "paper" the values of the method's paper. Throws
+  /// Error(UnknownSetting) for another name.
+  void usePreset(const std::string& preset);
 
   double get(const std::string& name) const;        ///< throws Error(UnknownSetting)
   bool isOn(const std::string& name) const;         ///< get() != 0

@@ -53,7 +53,7 @@ QUELL_INLINE floatL divideByFactor(floatL signal, floatL factor) {
 // Irradiance of a pixel and its weight as a filter tap. A channel whose factor vanishes tells nothing about the light;
 // as all channels share one weight, it is filled with the mean of the channels that do, and the weight is the share
 // of the best of them.
-QUELL_INLINE float3L demodulate(float3L signal, float3L factor, floatL* weight) {
+QUELL_INLINE float3L divideSignal(float3L signal, float3L factor, floatL* weight) {
   const float3L share = filteredShare3(factor);
   float3L irradiance;
   irradiance.x = divideByFactor(signal.x, factor.x);

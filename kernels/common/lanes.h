@@ -28,6 +28,7 @@ typedef uint16 uintL;
 #define AS_FLOAT(v) as_float16(v)
 #define AS_UINT(v) as_uint16(v)
 #define SQRT(v) sqrt(v)
+#define TRUE_LANES ((int16)(-1))
 #elif QUELL_LANES == 1
 typedef float floatL;
 typedef int intL;
@@ -39,6 +40,7 @@ typedef uint uintL;
 #define AS_FLOAT(v) as_float(v)
 #define AS_UINT(v) as_uint(v)
 #define SQRT(v) sqrt(v)
+#define TRUE_LANES 1
 #else
 #error "QUELL_LANES must be 1 or 16"
 #endif

@@ -16,6 +16,8 @@ typedef struct ReprojectionParams {
   QuellFloat4 clipWPrev;
   // Position relative to this frame's camera -> clip.w of this frame.
   QuellFloat4 clipW;
+  // Position relative to this frame's camera -> distance along the view axis, scene units.
+  QuellFloat4 viewDepth;
   // World-space camera position of this frame = high + low (.xyz), so that (position - high) - low keeps float32.
   QuellFloat4 cameraHigh;
   QuellFloat4 cameraLow;

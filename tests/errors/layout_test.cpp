@@ -58,8 +58,6 @@ TEST_CASE("missing and contradicting images are refused", "[errors]") {
       {invalid("positionWorld", "either positionWorld or viewDepth", "both"),
        [](Frame& f, Output&) { f.viewDepth = packedImage(nullptr, 1); }},
       {invalid("output", "a linear or a display image", "none"), [](Frame&, Output& o) { o = {}; }},
-      {invalid("emission", "no emission with demodulated", "an image"),
-       [](Frame& f, Output&) { f.demodulated = true; }},
   });
 }
 
@@ -78,6 +76,8 @@ TEST_CASE("channel counts out of range are refused", "[errors]") {
       {"albedo", &Frame::albedo, nullptr, 1, 4},
       {"glossColor", &Frame::glossColor, nullptr, 1, 4},
       {"emission", &Frame::emission, nullptr, 1, 4},
+      {"glossyRadiance", &Frame::glossyRadiance, nullptr, 1, 4},
+      {"roughness", &Frame::roughness, nullptr, 1, 1},
       {"output.linear", nullptr, &Output::linear, 3, 4},
       {"output.display", nullptr, &Output::display, 3, 4},
   };
@@ -94,7 +94,7 @@ TEST_CASE("channel counts out of range are refused", "[errors]") {
            }});
     }
   }
-  CHECK(cases.size() == 9 * 2 + 1 * 1 + 4 * 2);
+  CHECK(cases.size() == 11 * 2 + 2 * 1 + 4 * 2);
   checkAll(cases);
 }
 

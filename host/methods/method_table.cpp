@@ -1,0 +1,41 @@
+#include "host/methods/method_table.hpp"
+
+#include "host/stages/remodulate.hpp"
+#include "host/stages/temporal_antialiasing.hpp"
+#include "host/stages/tone_map.hpp"
+
+namespace quell {
+
+BufferSpec history(const std::string& name, Element element, int planes) {
+  return {name, element, planes, 0, true};
+}
+BufferSpec transient(const std::string& name, Element element, int planes) {
+  return {name, element, planes, 0, false};
+}
+BufferSpec elements(const std::string& name, std::size_t count) {
+  return {name, Element::Float32, 0, count, false};
+}
+
+void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
+              std::vector<std::string> writes) {
+  schedule.stages.push_back({std::move(stage), std::move(reads), std::move(writes)});
+}
+
+void addOutputStages(Schedule& schedule, const Configuration& configuration, const std::string& filtered,
+                     bool antialias) {
+  using Names = std::vector<std::string>;
+  const bool display = configuration.output.display.present();
+  schedule.buffers.push_back(transient("linear", Element::Float32, 3));
+  schedule.buffers.push_back(transient("encoded", Element::Float32, 3));
+  addStage(schedule, std::make_unique<Remodulate>(filtered, display), {filtered, "guides"},
+           display ? Names{"linear"} : Names{});
+  if (!display) return;
+  addStage(schedule, std::make_unique<ToneMap>(!antialias), {"linear"},
+           antialias ? Names{"encoded"} : Names{});
+  if (!antialias) return;
+  schedule.buffers.push_back(history("antialiased", Element::Float32, 3));
+  addStage(schedule, std::make_unique<TemporalAntialiasing>(configuration.settings.get("taaNewestWeight")),
+           {"encoded", "antialiased.prev", "pixelPrev", "reprojectionMask"}, {"antialiased"});
+}
+
+}  // namespace quell

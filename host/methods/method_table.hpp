@@ -1,0 +1,28 @@
+// What a method's table is written with.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/core/schedule.hpp"
+#include "host/core/stage.hpp"
+
+namespace quell {
+
+/// Buffers of the image's size that are kept for the next frame, that are not, and buffers of `count` floats.
+BufferSpec history(const std::string& name, Element element, int planes);
+BufferSpec transient(const std::string& name, Element element, int planes);
+BufferSpec elements(const std::string& name, std::size_t count);
+
+/// Adds one line to the table.
+void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
+              std::vector<std::string> writes);
+
+/// Adds the lines from filtered irradiance to the caller's images: remodulate, tone_map and, with `antialias`,
+/// temporal_antialiasing, and the buffers between them. Reads guides and, with `antialias`, pixelPrev and
+/// reprojectionMask.
+void addOutputStages(Schedule& schedule, const Configuration& configuration, const std::string& filtered,
+                     bool antialias);
+
+}  // namespace quell

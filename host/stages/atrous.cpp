@@ -1,0 +1,32 @@
+#include "host/stages/atrous.hpp"
+
+#include "host/core/frame_images.hpp"
+
+namespace quell {
+
+void Atrous::build(const KernelBuilder& builder) {
+  const Frame& frame = builder.configuration().frame;
+  m_kernel = builder.build("atrous", "-D QUELL_SIGNALS=" + std::to_string(signalCount(frame)) +
+                                         " -D VARIANCE=" + (m_setup.variance.empty() ? "0" : "1") +
+                                         " -D ROUGHNESS_FORMAT=" + (stopsAtRoughness(frame) ? "1" : "0"));
+  m_workGroup = builder.pixelWorkGroup(m_kernel);
+}
+
+void Atrous::enqueue(FrameRun& run) {
+  const auto bufferIf = [&](bool wanted, const std::string& name) {
+    return wanted ? run.buffer(name) : cl::Buffer();
+  };
+  const bool variance = !m_setup.variance.empty();
+  AtrousParams params{};
+  params.planes = makePlanes(run.configuration.size());
+  params.stops = makeEdgeStopParams(m_setup.stops);
+  params.luminanceSigma = static_cast<float>(m_setup.luminanceSigma);
+  params.inverseStep = 1.0f / static_cast<float>(m_setup.step);
+  params.step = m_setup.step;
+  run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer(m_setup.input),
+             bufferIf(variance, m_setup.variance), run.buffer("guides"), run.buffer("viewDepth"),
+             bufferIf(stopsAtRoughness(run.configuration.frame), "roughness"), run.buffer(m_setup.output),
+             bufferIf(variance, m_setup.varianceOut), params);
+}
+
+}  // namespace quell

@@ -1,0 +1,174 @@
+// atrous: one iteration of the edge-avoiding a-trous wavelet filter, and of the variance along with it.
+// Paper:   Dammertz et al. 2010 (5x5 B3 spline, taps 2^i pixels apart); Schied et al. 2017, eq. (2) to (5), after
+//          Flatval 2020, ch. 3.2.1 and 3.2.2: edge stops on depth, normal and luminance, the latter in standard
+//          deviations of the 3x3-prefiltered variance; variance is filtered with squared weights.
+// In:      irradiance (3 planes per signal), its variance of luminance (1 plane per signal; with VARIANCE), guides, view
+//          depth and, where the caller has it, roughness.
+// Out:     irradiance and variance, filtered.
+// Signals: share the penalties of the surface; each has its own weight, luminance and variance. The roughness stop is
+//          for the glossy signal, or for the only one.
+// Border:  taps outside the image are left out and the weights renormalised. A pixel without a sample takes what its
+//          neighbours have, whatever their luminance.
+// Departures: see common/edge_stops.h.
+#include "atrous_params.h"
+#include "common/edge_stops.h"
+#include "common/luminance.h"
+
+// B3 spline: 3/8, 1/4, 1/16 for taps 0, 1 and 2 away.
+QUELL_INLINE float splineWeight(int tap) {
+  return tap == 0 ? 0.375f : (tap == 1 || tap == -1) ? 0.25f : 0.0625f;
+}
+
+typedef struct FilterSums {
+  float3L irradiance;
+  floatL variance;
+  floatL weight;
+  floatL luminance;         // of the centre
+  floatL inverseLuminance;  // 1 / tolerated difference
+} FilterSums;
+
+QUELL_INLINE FilterSums addFiltered(FilterSums sums, float3L irradiance, floatL variance, floatL weight) {
+  sums.irradiance.x += irradiance.x * weight;
+  sums.irradiance.y += irradiance.y * weight;
+  sums.irradiance.z += irradiance.z * weight;
+  sums.variance += weight * weight * variance;
+  sums.weight += weight;
+  return sums;
+}
+
+// 3x3 binomial filter of the variance; neighbours outside the image stand back for the centre.
+QUELL_INLINE floatL prefilterVariance(__global const float* variance, PlaneParams planes, int x, int y,
+                                      int atBorder) {
+  const int index = planeIndex(planes, x, y);
+  const intL column = x + LANE_INDEX;
+  const floatL centre = loadLanes(variance + index);
+  floatL sum = 0.25f * centre;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      floatL value = loadLanes(variance + index + dy * planes.pitch + dx);
+      if (atBorder) {
+        const intL inside = column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
+                            (intL)(y + dy) < planes.height;
+        value = inside ? value : centre;
+      }
+      sum += (dx == 0 || dy == 0 ? 0.125f : 0.0625f) * value;
+    }
+  }
+  return sum;
+}
+
+// The planes that taps are read from.
+typedef struct FilterPlanes {
+  __global const float* irradiance;
+  __global const float* variance;
+  __global const float* guides;
+  __global const float* viewDepth;
+  __global const float* roughness;
+} FilterPlanes;
+
+// 1 / sqrt(x^2 + y^2) for the offsets of a 5x5 filter.
+QUELL_INLINE float inverseDistance(int x, int y) {
+  const int squared = x * x + y * y;
+  return squared == 1   ? 1.0f
+         : squared == 2 ? 0.707106781f
+         : squared == 4 ? 0.5f
+         : squared == 5 ? 0.447213595f
+                        : 0.353553391f;
+}
+
+// Adds the tap (tapX, tapY) of all signals; `index` is its element in the planes, `inside` its lanes in the image.
+QUELL_INLINE void addTap(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, FilterPlanes from,
+                         AtrousParams params, int tapX, int tapY, int index, intL inside) {
+  const int stride = params.planes.stride;
+  const floatL penalty = surfacePenalty(
+      centre, params.stops, loadLanes3(from.guides + QUELL_GUIDE_NORMAL * stride, index, stride),
+      loadLanes(from.viewDepth + index), inverseDistance(tapX, tapY) * params.inverseStep);
+  const float spline = splineWeight(tapX) * splineWeight(tapY);
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    const float3L value = loadLanes3(from.irradiance + 3 * s * stride, index, stride);
+    floatL signalPenalty =
+        penalty + absLanes(luminance(value) - sums[s].luminance) * sums[s].inverseLuminance;
+#if ROUGHNESS_FORMAT
+    if (s == QUELL_SIGNALS - 1) signalPenalty += roughnessPenalty(centre, loadLanes(from.roughness + index));
+#endif
+    const floatL weight = weightOfPenalty(signalPenalty) *
+                          (spline * loadLanes(from.guides + (QUELL_GUIDE_WEIGHT + s) * stride + index));
+#if VARIANCE
+    const floatL variance = loadLanes(from.variance + s * stride + index);
+#else
+    const floatL variance = ZERO_LANES;
+#endif
+    sums[s] = addFiltered(sums[s], value, variance, inside ? weight : ZERO_LANES);
+  }
+}
+
+// Adds the taps of one row. `atBorder` is constant, so that the inside of the image pays nothing for it.
+QUELL_INLINE void addTapRow(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, FilterPlanes from,
+                            AtrousParams params, int x, int y, int tapY, int atBorder) {
+  const PlaneParams planes = params.planes;
+  const int row = y + tapY * params.step;
+  if (atBorder && (row < 0 || row >= planes.height)) return;
+#pragma unroll
+  for (int tapX = -2; tapX <= 2; ++tapX) {
+    if (tapX == 0 && tapY == 0) continue;
+    const int column = x + tapX * params.step;
+    if (atBorder && (column + QUELL_LANES <= 0 || column >= planes.width)) continue;
+    const intL inside =
+        atBorder ? column + LANE_INDEX >= 0 && column + LANE_INDEX < planes.width : TRUE_LANES;
+    addTap(sums, centre, from, params, tapX, tapY, planeIndex(planes, column, row), inside);
+  }
+}
+
+__kernel void atrous(__global const float* irradiance, __global const float* variance,
+                     __global const float* guides, __global const float* viewDepth,
+                     __global const float* roughness, __global float* irradianceOut,
+                     __global float* varianceOut, AtrousParams params) {
+  const PlaneParams planes = params.planes;
+  const int stride = planes.stride;
+  const int x = (int)get_global_id(0) * QUELL_LANES;
+  const int y = (int)get_global_id(1);
+  if (x >= planes.width || y >= planes.height) return;
+  const int index = planeIndex(planes, x, y);
+  const int reach = 2 * params.step;
+  const int atBorder =
+      x < reach || y < reach || x + QUELL_LANES + reach > planes.width || y + reach >= planes.height;
+
+  const FilterCentre centre = loadCentre(guides, viewDepth, roughness, planes, params.stops, x, y);
+  FilterSums sums[QUELL_SIGNALS];
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    const float3L value = loadLanes3(irradiance + 3 * s * stride, index, stride);
+    const floatL weight = loadLanes(guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
+    sums[s].luminance = luminance(value);
+    floatL deviation = ONE_LANES;
+    floatL ownVariance = ZERO_LANES;
+#if VARIANCE
+    deviation = SQRT(prefilterVariance(variance + s * stride, planes, x, y, atBorder));
+    ownVariance = loadLanes(variance + s * stride + index);
+#endif
+    sums[s].inverseLuminance =
+        weight > 0.0f ? 1.0f / (params.luminanceSigma * deviation + QUELL_LEAST_LUMINANCE_STEP) : ZERO_LANES;
+    sums[s].irradiance = splat3(0.0f);
+    sums[s].variance = ZERO_LANES;
+    sums[s].weight = ZERO_LANES;
+    sums[s] = addFiltered(sums[s], value, ownVariance, splineWeight(0) * splineWeight(0) * weight);
+  }
+  const FilterPlanes from = {irradiance, variance, guides, viewDepth, roughness};
+  if (atBorder) {
+    for (int tapY = -2; tapY <= 2; ++tapY) addTapRow(sums, centre, from, params, x, y, tapY, 1);
+  } else {
+    // Written out: every weight and offset of a tap is then a constant.
+    addTapRow(sums, centre, from, params, x, y, -2, 0);
+    addTapRow(sums, centre, from, params, x, y, -1, 0);
+    addTapRow(sums, centre, from, params, x, y, 0, 0);
+    addTapRow(sums, centre, from, params, x, y, 1, 0);
+    addTapRow(sums, centre, from, params, x, y, 2, 0);
+  }
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    const floatL inverse = sums[s].weight > 0.0f ? 1.0f / sums[s].weight : ZERO_LANES;
+    storeLanes3(scale3(sums[s].irradiance, inverse), irradianceOut + 3 * s * stride, index, stride);
+#if VARIANCE
+    storeLanes(sums[s].variance * inverse * inverse, varianceOut + s * stride + index);
+#endif
+  }
+}

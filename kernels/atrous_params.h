@@ -1,0 +1,23 @@
+// Parameters of the stage atrous.
+#ifndef QUELL_ATROUS_PARAMS_H
+#define QUELL_ATROUS_PARAMS_H
+
+#include "common/edge_stops_params.h"
+#include "common/types.h"
+
+QUELL_NAMESPACE_BEGIN
+
+typedef struct AtrousParams {
+  PlaneParams planes;
+  EdgeStopParams stops;
+  QuellFloat luminanceSigma;  // in standard deviations, or in units of luminance without variance
+  QuellFloat inverseStep;
+  QuellInt step;  // pixels between taps
+} AtrousParams;
+
+QUELL_NAMESPACE_END
+
+// Added to the tolerated difference in luminance, so that it is never 0 (luminance).
+#define QUELL_LEAST_LUMINANCE_STEP 1e-6f
+
+#endif

@@ -1,0 +1,79 @@
+// variance: variance of the luminance of each signal, over time where the history is long enough, else over space.
+// Paper:   Schied et al. 2017, section 4.2, after Flatval 2020, ch. 3.2.2: second moment minus squared first moment;
+//          "when few samples have been accumulated at a given pixel, its variance is instead computed using its
+//          neighbors by a bilateral filter with feature weights", 7x7 pixels.
+// In:      moments of luminance (2 planes per signal), history length (bytes per signal), guides, view depth.
+// Out:     variance (1 plane per signal), >= 0.
+// Border:  taps outside the image are left out.
+// Departures: the spatial estimate is raised by temporalFrames / history length: the moments of one frame know less.
+#include "common/edge_stops.h"
+#include "variance_params.h"
+
+typedef struct MomentSums {
+  floatL first;
+  floatL second;
+  floatL weight;
+} MomentSums;
+
+// Weighted moments over the window around each pixel.
+QUELL_INLINE MomentSums spatialMoments(__global const float* moments, __global const float* weights,
+                                       __global const float* guides, __global const float* viewDepth,
+                                       VarianceParams params, int x, int y) {
+  const PlaneParams planes = params.planes;
+  const int stride = planes.stride;
+  const FilterCentre centre = loadCentre(guides, viewDepth, viewDepth, planes, params.stops, x, y);
+  MomentSums sums;
+  sums.first = ZERO_LANES;
+  sums.second = ZERO_LANES;
+  sums.weight = ZERO_LANES;
+  for (int dy = -QUELL_VARIANCE_RADIUS; dy <= QUELL_VARIANCE_RADIUS; ++dy) {
+    if (y + dy < 0 || y + dy >= planes.height) continue;
+    for (int dx = -QUELL_VARIANCE_RADIUS; dx <= QUELL_VARIANCE_RADIUS; ++dx) {
+      const int index = planeIndex(planes, x + dx, y + dy);
+      const float inverseDistance = dx == 0 && dy == 0 ? 0.0f : native_rsqrt((float)(dx * dx + dy * dy));
+      const intL column = x + dx + LANE_INDEX;
+      const intL inside = column >= 0 && column < planes.width;
+      const floatL penalty = surfacePenalty(centre, params.stops,
+                                            loadLanes3(guides + QUELL_GUIDE_NORMAL * stride, index, stride),
+                                            loadLanes(viewDepth + index), inverseDistance);
+      const floatL weight = inside ? weightOfPenalty(penalty) * loadLanes(weights + index) : ZERO_LANES;
+      sums.first += weight * loadLanes(moments + QUELL_MOMENT_FIRST * stride + index);
+      sums.second += weight * loadLanes(moments + QUELL_MOMENT_SECOND * stride + index);
+      sums.weight += weight;
+    }
+  }
+  return sums;
+}
+
+QUELL_INLINE floatL momentsToVariance(floatL first, floatL second) {
+  return maxLanes(second - first * first, ZERO_LANES);
+}
+
+__kernel void variance(__global const float* moments, __global const uchar* historyLength,
+                       __global const float* guides, __global const float* viewDepth,
+                       __global float* varianceOut, VarianceParams params) {
+  const PlaneParams planes = params.planes;
+  const int stride = planes.stride;
+  const int x = (int)get_global_id(0) * QUELL_LANES;
+  const int y = (int)get_global_id(1);
+  if (x >= planes.width || y >= planes.height) return;
+  const int index = planeIndex(planes, x, y);
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    __global const float* signalMoments = moments + QUELL_MOMENT_PLANES * s * stride;
+    __global const float* weights = guides + (QUELL_GUIDE_WEIGHT + s) * stride;
+    floatL result = momentsToVariance(loadLanes(signalMoments + QUELL_MOMENT_FIRST * stride + index),
+                                      loadLanes(signalMoments + QUELL_MOMENT_SECOND * stride + index));
+    const intL length = loadByteLanes(historyLength + s * stride + index);
+    intL isShort = length < params.temporalFrames && x + LANE_INDEX < planes.width;
+    // Background has no history either: a second look keeps it from the costly path.
+    if (anyLane(isShort)) isShort = isShort && loadLanes(weights + index) > 0.0f;
+    if (anyLane(isShort)) {
+      const MomentSums sums = spatialMoments(signalMoments, weights, guides, viewDepth, params, x, y);
+      const floatL inverse = 1.0f / (sums.weight > 0.0f ? sums.weight : ONE_LANES);
+      const floatL spatial = momentsToVariance(sums.first * inverse, sums.second * inverse);
+      const floatL raised = (float)params.temporalFrames / TO_FLOAT(maxLanesInt(length, (intL)(1)));
+      result = isShort ? spatial * raised : result;
+    }
+    storeLanes(result, varianceOut + s * stride + index);
+  }
+}
