@@ -14,7 +14,7 @@ constexpr double kMebibyte = 1024.0 * 1024.0;
 json settingsJson(const Settings& settings) {
   json result = json::object();
   for (const SettingDescription& setting : settings.descriptions()) {
-    const bool text = setting.kind == SettingKind::Boolean || setting.kind == SettingKind::Choice;
+    const bool text = setting.kind != SettingKind::Real && setting.kind != SettingKind::Integer;
     if (text) {
       result[setting.name] = settings.text(setting.name);
     } else {

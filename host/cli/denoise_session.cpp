@@ -25,6 +25,7 @@ constexpr InputImage kInputs[] = {
     {&io::FrameData::albedo, &Frame::albedo},
     {&io::FrameData::glossColor, &Frame::glossColor},
     {&io::FrameData::emission, &Frame::emission},
+    {&io::FrameData::roughness, &Frame::roughness},
 };
 
 std::size_t bytesOf(const io::Image& image) { return image.pixels.size() * sizeof(float); }

@@ -109,7 +109,7 @@ class WarmUpImages {
       : frame(layout), output(outputLayout) {
     for (ImageView* view :
          {&frame.radiance, &frame.normalWorld, &frame.positionWorld, &frame.viewDepth, &frame.albedo,
-          &frame.glossColor, &frame.emission, &output.linear, &output.display}) {
+          &frame.glossColor, &frame.emission, &frame.roughness, &output.linear, &output.display}) {
       if (!view->present()) continue;
       const std::size_t bytes = view->requiredBytes(layout.size);
       m_buffers.emplace_back(context, CL_MEM_READ_WRITE, bytes);

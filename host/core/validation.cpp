@@ -30,7 +30,7 @@ struct NamedView {
   bool output;
 };
 
-std::array<NamedView, 9> namedViews(const Frame& frame, const Output& output) {
+std::array<NamedView, 10> namedViews(const Frame& frame, const Output& output) {
   return {{{"radiance", &frame.radiance, 1, 4, false},
            {"normalWorld", &frame.normalWorld, 3, 4, false},
            {"positionWorld", &frame.positionWorld, 3, 4, false},
@@ -38,6 +38,7 @@ std::array<NamedView, 9> namedViews(const Frame& frame, const Output& output) {
            {"albedo", &frame.albedo, 1, 4, false},
            {"glossColor", &frame.glossColor, 1, 4, false},
            {"emission", &frame.emission, 1, 4, false},
+           {"roughness", &frame.roughness, 1, 1, false},
            {"output.linear", &output.linear, 3, 4, true},
            {"output.display", &output.display, 3, 4, true}}};
 }

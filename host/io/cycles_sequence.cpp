@@ -64,6 +64,7 @@ CyclesSequence::CyclesSequence(std::string directory)
   m_hasAlbedo = hasFrameFiles(m_directory, filesOf("albedo"), m_frames);
   m_hasGlossColor = hasFrameFiles(m_directory, filesOf("gloss_color"), m_frames);
   m_hasEmission = hasFrameFiles(m_directory, filesOf("emission"), m_frames);
+  m_hasRoughness = hasFrameFiles(m_directory, filesOf("roughness"), m_frames);
 
   const ExrHeader first = readExrHeader(joinPath(m_directory, filesOf("color")(m_frames.front())));
   m_width = first.width;
@@ -85,6 +86,8 @@ FrameData CyclesSequence::read(int frame) const {
   if (m_hasAlbedo) data.albedo = readBuffer("albedo", frame);
   if (m_hasGlossColor) data.glossColor = readBuffer("gloss_color", frame);
   if (m_hasEmission) data.emission = readBuffer("emission", frame);
+  if (m_hasRoughness)
+    data.roughness = readGreyOfSize(joinPath(m_directory, filesOf("roughness")(frame)), m_width, m_height);
   return data;
 }
 

@@ -21,6 +21,7 @@ struct FrameData {
   Image albedo;         ///< 3 channels, optional
   Image glossColor;     ///< 3 channels, optional
   Image emission;       ///< 3 channels, optional
+  Image roughness;      ///< 1 channel, 0 to 1, optional; alpha of GGX is its square
   /// True where `radiance` is already divided by albedo (the layout published with the BMFR paper).
   bool demodulated = false;
 };

@@ -8,6 +8,7 @@
 #include "host/stages/fit.hpp"
 #include "host/stages/gram_solve.hpp"
 #include "host/stages/gram_sums.hpp"
+#include "host/stages/material_guides.hpp"
 #include "host/stages/remodulate.hpp"
 #include "host/stages/temporal_antialiasing.hpp"
 #include "host/stages/tone_map.hpp"
@@ -64,6 +65,19 @@ std::vector<SettingDescription> settings() {
        "history whose unit normal differs by more (squared length of the difference) is discarded",
        "reference implementation; a sweep from 0.03 to 1 changes the error by 1 %",
        {}},
+      {"features",
+       Kind::Text,
+       0.0,
+       0.0,
+       0.0,
+       "",
+       "features of the fit, separated by commas: the constant 1 (implied), normal n (or nx, ny, nz), "
+       "position w, depth, "
+       "gradients g, albedo, roughness; squares w2, cubes w3, sqrt(w), products wx*ny, differences wx-wy; at "
+       "most 16 scalars",
+       "Koskela et al. 2019, section on feature buffers; Flatval 2020, table 5.3",
+       {},
+       kDefaultFeatures},
       {"noiseAmplitude",
        Kind::Real,
        0.01,
@@ -140,6 +154,11 @@ BufferSpec elements(const std::string& name, std::size_t count) {
   return {name, Element::Float32, 0, count, false};
 }
 
+std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
+}
+
 GramWindows makeWindows(const Settings& s) {
   GramWindows windows;
   windows.overlap = s.text("windows") == "overlap";
@@ -151,11 +170,28 @@ GramWindows makeWindows(const Settings& s) {
   return windows;
 }
 
+FitFeatures makeFeatures(const Configuration& configuration) {
+  const FitFeatures features(configuration.settings.text("features"));
+  const auto require = [&](bool needed, const char* image, const ImageView& view) {
+    if (!needed || view.present()) return;
+    throw Error(ErrorCode::InvalidArgument,
+                {"prepare", image, std::string("an image, since a feature is made of it"), "none"});
+  };
+  require(features.needAlbedo(), "albedo", configuration.frame.albedo);
+  require(features.needRoughness(), "roughness", configuration.frame.roughness);
+  return features;
+}
+
+void checkText(const std::string& setting, const std::string& text) {
+  if (setting == "features") FitFeatures{text};
+}
+
 Schedule makeSchedule(const Configuration& configuration) {
   const Settings& s = configuration.settings;
   const auto storage = static_cast<FeatureStorage>(static_cast<int>(s.get("featureStorage")));
   const bool gram = s.text("solver") == "gram";
   const GramWindows windows = makeWindows(s);
+  const FitFeatures features = makeFeatures(configuration);
   const bool display = configuration.output.display.present();
   const bool taa = display && s.isOn("taa");
   const Size size = configuration.size();
@@ -168,12 +204,14 @@ Schedule makeSchedule(const Configuration& configuration) {
       history("filtered", Element::Float32, 3),
       transient("pixelPrev", Element::Float32, 2),
       transient("reprojectionMask", Element::UInt8, 1),
+      transient("materials", Element::Float32, QUELL_MATERIAL_PLANES),
       transient("fitted", Element::Float32, 3),
       transient("linear", Element::Float32, 3),
       transient("encoded", Element::Float32, 3),
-      elements("fitRecords", gram ? gramRecordElements(windows, size) : Fit::recordElements(size)),
-      elements("gramTiles", gramTileElements(windows, size)),
-      elements("fitStorage", Fit::storageElements(size, storage)),
+      elements("fitRecords",
+               gram ? gramRecordElements(windows, size, features) : Fit::recordElements(size, features)),
+      elements("gramTiles", gramTileElements(windows, size, features)),
+      elements("fitStorage", Fit::storageElements(size, storage, features)),
   };
   if (taa) schedule.buffers.push_back(history("antialiased", Element::Float32, 3));
 
@@ -185,25 +223,32 @@ Schedule makeSchedule(const Configuration& configuration) {
   add(std::make_unique<AccumulateNoisy>(s.get("noisyLeastWeight")),
       {"irradiance.prev", "historyLength.prev", "guides.prev"},
       {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});
+  std::vector<std::string> guides = {"guides"};
+  if (features.needMaterial()) {
+    add(std::make_unique<MaterialGuides>(features),
+        {},
+        {"materials"});
+    guides.push_back("materials");
+  }
   if (gram) {
-    add(std::make_unique<GramSums>(windows),
-        {"irradiance", "guides"},
+    add(std::make_unique<GramSums>(windows, features),
+        joined({"irradiance"}, guides),
         {"gramTiles"});
-    add(std::make_unique<GramSolve>(windows, s.get("noiseAmplitude")),
+    add(std::make_unique<GramSolve>(windows, s.get("noiseAmplitude"), features),
         {"gramTiles"},
         {"fitRecords"});
   } else {
-    add(std::make_unique<Fit>(s.get("noiseAmplitude"), storage),
-        {"irradiance", "guides"},
+    add(std::make_unique<Fit>(s.get("noiseAmplitude"), storage, features),
+        joined({"irradiance"}, guides),
         {"fitRecords", "fitStorage"});
   }
   if (windows.overlap) {
-    add(std::make_unique<BlendedSum>(windows),
-        {"fitRecords", "guides"},
+    add(std::make_unique<BlendedSum>(windows, features),
+        joined({"fitRecords"}, guides),
         {"fitted"});
   } else {
-    add(std::make_unique<WeightedSum>(),
-        {"fitRecords", "guides"},
+    add(std::make_unique<WeightedSum>(features),
+        joined({"fitRecords"}, guides),
         {"fitted"});
   }
   add(std::make_unique<AccumulateFiltered>(s.get("filteredLeastWeight")),
@@ -234,8 +279,9 @@ DiscardLimits discardLimits(const Settings& s) {
 }  // namespace
 
 Method bmfrMethod() {
-  return {"bmfr", "Blockwise Multi-Order Feature Regression (Koskela et al. 2019)", settings(), makeSchedule,
-          discardLimits};
+  return {"bmfr",        "Blockwise Multi-Order Feature Regression (Koskela et al. 2019)",
+          settings(),    makeSchedule,
+          discardLimits, checkText};
 }
 
 }  // namespace quell

@@ -34,6 +34,9 @@ struct Frame {
   ImageView glossColor;
   /// Emitted radiance and visible sky, linear, added back unfiltered; optional.
   ImageView emission;
+  /// Perceptual roughness of the glossy lobe, 0 (mirror) to 1, 1 channel, optional; alpha of GGX is its square. Only
+  /// features that are made of it read it (setting `features` of bmfr); a value that is not finite counts as 0.
+  ImageView roughness;
   /// True where radiance is irradiance already: divided by albedo, emission not included.
   bool demodulated = false;
 };

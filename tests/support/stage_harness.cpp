@@ -71,7 +71,8 @@ std::string imageName(const ImageView Frame::*image) {
                                                                      {&Frame::viewDepth, "viewDepth"},
                                                                      {&Frame::albedo, "albedo"},
                                                                      {&Frame::glossColor, "glossColor"},
-                                                                     {&Frame::emission, "emission"}};
+                                                                     {&Frame::emission, "emission"},
+                                                                     {&Frame::roughness, "roughness"}};
   for (const auto& [member, name] : names)
     if (member == image) return name;
   throw std::logic_error("not an image of a frame");
