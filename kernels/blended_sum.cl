@@ -49,8 +49,8 @@ QUELL_INLINE int2 usedTiles(int offset, int size) {
   return (int2)(first, last);
 }
 
-__kernel void blended_sum(__global const float* records, __global const float* guides, __global float* fitted,
-                          GramParams params) {
+__kernel void blended_sum(__global const float* records, __global const float* guides,
+                          __global const float* materials, __global float* fitted, GramParams params) {
   const int itemX = (int)get_global_id(0);
   const int itemY = (int)get_global_id(1);
   // Cells lie between tile centres, so the first one starts half a tile before the image.
@@ -64,8 +64,17 @@ __kernel void blended_sum(__global const float* records, __global const float* g
   const int index = planeIndex(params.planes, x, y);
   const int pitch = params.planes.pitch;
   const int stride = params.planes.stride;
-  const float3L position = loadItem3(guides + QUELL_GUIDE_POSITION * stride + index, pitch, stride);
-  const float3L normal = loadItem3(guides + QUELL_GUIDE_NORMAL * stride + index, pitch, stride);
+  Guide guide;
+  guide.position = loadItem3(guides + QUELL_GUIDE_POSITION * stride + index, pitch, stride);
+  guide.normal = loadItem3(guides + QUELL_GUIDE_NORMAL * stride + index, pitch, stride);
+#if QUELL_USES_PIXEL
+  guide.column = TO_FLOAT(x + LANE_X);
+  guide.row = TO_FLOAT(y + LANE_Y);
+#endif
+#if QUELL_USES_MATERIAL
+  guide.albedo = loadItem3(materials + QUELL_MATERIAL_ALBEDO * stride + index, pitch, stride);
+  guide.roughness = loadItem(materials + QUELL_MATERIAL_ROUGHNESS * stride + index, pitch);
+#endif
 
   const int2 columns = usedTiles(params.tileOffsetX, params.planes.width);
   const int2 rows = usedTiles(params.tileOffsetY, params.planes.height);
@@ -85,15 +94,15 @@ __kernel void blended_sum(__global const float* records, __global const float* g
     const int tile = (corner & 2 ? bottom : top) + (corner & 1 ? right : left);
     __global const float* record = records + tile * QUELL_FIT_RECORD;
     // A window without a single sample has nothing to say.
-    if (record[QUELL_FIT_SCALE] != 0.0f) {
+    if (record[QUELL_FIT_USABLE] != 0.0f) {
       const floatL share =
           (corner & 1 ? fractionX : 1.0f - fractionX) * (corner & 2 ? fractionY : 1.0f - fractionY);
-      sum = add3(sum, scale3(evaluateFit(record, position, normal), share));
+      sum = add3(sum, scale3(evaluateFit(record, guide, params.viewAxis), share));
       total += share;
     }
   }
   sum = scale3(sum, 1.0f / (total > 0.0f ? total : ONE_LANES));
-  const intL surface = dot3(normal, normal) > 0.0f && isFinite3(sum);
+  const intL surface = dot3(guide.normal, guide.normal) > 0.0f && isFinite3(sum);
   const float3L result = select3(surface, clamp3(sum, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f));
   storeItem(result.x, fitted + index, pitch);
   storeItem(result.y, fitted + index + stride, pitch);

@@ -1,8 +1,8 @@
 // fit: least-squares fit of the features to the accumulated irradiance, one 32x32 block a work-group.
 // Paper:   Koskela et al. 2019, phase II: augmented Householder QR [T + N, z], eq. (4) and (5), stochastic
 //          regularisation with uniform noise N of amplitude epsilon, all colour channels at once.
-// In:      irradiance (3 planes) and guides (7 planes) of this frame.
-// Out:     one record a block: 10 x 3 coefficients and the scaling of the positions (fit_params.h).
+// In:      irradiance (3 planes) and guides (7 planes) of this frame; materials (4 planes) where a feature needs them.
+// Out:     one record a block: coefficients of all features and the scaling of the unbounded ones (fit_params.h).
 // Grid:    blocks are displaced by one of 16 offsets a frame; pixels outside the image are mirrored.
 // Order:   every sum over the block runs over 256 logical lanes (pixel index modulo 256), each in ascending order,
 //          then in a halving tree: the result does not depend on the work-group size.
@@ -28,6 +28,10 @@
 #define CHUNKS (LOGICAL_LANES / GROUP_LANES)
 #define STEPS (QUELL_BLOCK_PIXELS / LOGICAL_LANES)
 #define ITEM_ROWS (CHUNKS * STEPS)
+
+// Numbers that a work-group sums, or takes the least of, at once.
+#define BOUNDS (2 * QUELL_SCALED)
+#define EXCHANGED (BOUNDS > QUELL_FIT_COLUMNS ? BOUNDS : QUELL_FIT_COLUMNS)
 
 // On GPUs every loop over rows and columns is unrolled, so that the columns live in registers.
 #if FIT_UNROLL
@@ -158,8 +162,8 @@ __kernel
     __attribute__((reqd_work_group_size(FIT_GROUP_SIZE, 1, 1)))
 #endif
     void
-    fit(__global const float* irradiance, __global const float* guides, __global float* records,
-        __global half* storage, FitParams params) {
+    fit(__global const float* irradiance, __global const float* guides, __global const float* materials,
+        __global float* records, __global half* storage, FitParams params) {
   const int id = (int)get_local_id(0);
   const int block = (int)get_group_id(0);
   const int blockX = params.blockOffsetX + (block % params.blocksX) * QUELL_BLOCK_EDGE;
@@ -167,7 +171,7 @@ __kernel
   const int stride = params.planes.stride;
 
 #if FIT_GROUP_SIZE > 1
-  __local floatL exchange[QUELL_FIT_COLUMNS * FIT_GROUP_SIZE];
+  __local floatL exchange[EXCHANGED * FIT_GROUP_SIZE];
 #else
   __local floatL exchange[1];
 #endif
@@ -182,29 +186,35 @@ __kernel
   floatL columns[QUELL_FIT_COLUMNS][ITEM_ROWS];
 #endif
 
-  // Range of the positions: minima of p and of -p over the pixels with a weight.
-  floatL bounds[6];
+  float anchor[QUELL_SCALED_SLOTS], scale[QUELL_SCALED_SLOTS];
+#if QUELL_SCALED > 0
+  // Range of the unbounded variables: minima of v and of -v over the pixels with a weight.
+  floatL bounds[BOUNDS];
   UNROLL
-  for (int k = 0; k < 6; ++k) bounds[k] = (floatL)(NO_POSITION);
+  for (int k = 0; k < BOUNDS; ++k) bounds[k] = (floatL)(NO_POSITION);
   UNROLL
   for (int i = 0; i < ITEM_ROWS; ++i) {
     const GatherPlan plan =
         planBlockRow(params.planes, (i * FIT_GROUP_SIZE + id) * QUELL_LANES, blockX, blockY);
     const intL used = gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan) > 0.0f;
+    floatL scaled[QUELL_SCALED];
+    makeScaled(scaled, gatherGuide(guides, materials, params.planes, plan), params.viewAxis);
     UNROLL
-    for (int axis = 0; axis < 3; ++axis) {
-      const floatL p = gatherLanes(guides + (QUELL_GUIDE_POSITION + axis) * stride, plan);
-      bounds[axis] = used && p < bounds[axis] ? p : bounds[axis];
-      bounds[axis + 3] = used && -p < bounds[axis + 3] ? -p : bounds[axis + 3];
+    for (int k = 0; k < QUELL_SCALED; ++k) {
+      const floatL v = scaled[k];
+      bounds[k] = used && v < bounds[k] ? v : bounds[k];
+      bounds[k + QUELL_SCALED] = used && -v < bounds[k + QUELL_SCALED] ? -v : bounds[k + QUELL_SCALED];
     }
   }
-  groupMin(exchange, id, bounds, 6);
-  float low[3], high[3], anchor[3], scale[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = minOfLanes(bounds[axis]);
-    high[axis] = -minOfLanes(bounds[axis + 3]);
+  groupMin(exchange, id, bounds, BOUNDS);
+  float low[QUELL_SCALED], high[QUELL_SCALED];
+  UNROLL
+  for (int k = 0; k < QUELL_SCALED; ++k) {
+    low[k] = minOfLanes(bounds[k]);
+    high[k] = -minOfLanes(bounds[k + QUELL_SCALED]);
   }
-  scalePositions(low, high, anchor, scale);
+  scaleRanges(low, high, anchor, scale);
+#endif
 
   // The augmented matrix [T + N, z], rows weighted.
   const uint blockSeed = hashScalar(params.noiseSeed + (uint)block);
@@ -213,12 +223,11 @@ __kernel
     const int row = (i * FIT_GROUP_SIZE + id) * QUELL_LANES;
     const GatherPlan plan = planBlockRow(params.planes, row, blockX, blockY);
     const floatL rootWeight = SQRT(gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan));
-    float3L position = gatherLanes3(guides + QUELL_GUIDE_POSITION * stride, plan, stride);
-    position.x = (position.x - anchor[0]) * scale[0];
-    position.y = (position.y - anchor[1]) * scale[1];
-    position.z = (position.z - anchor[2]) * scale[2];
+    const Guide guide = gatherGuide(guides, materials, params.planes, plan);
+    floatL scaled[QUELL_SCALED_SLOTS];
+    makeScaled(scaled, guide, params.viewAxis);
     floatL features[QUELL_FEATURES];
-    makeFeatures(features, gatherLanes3(guides + QUELL_GUIDE_NORMAL * stride, plan, stride), position);
+    makeFeatures(features, guide, scaled, anchor, scale);
     UNROLL
     for (int k = 0; k < QUELL_FEATURES; ++k) {
       const uintL counter = AS_UINT((intL)(row + k * QUELL_BLOCK_PIXELS) + LANE_INDEX) ^ blockSeed;
@@ -293,7 +302,13 @@ __kernel
     UNROLL
     for (int j = 0; j < QUELL_FEATURES; ++j)
       records[block * QUELL_FIT_RECORD + j * QUELL_FIT_CHANNELS + c] = coefficients[j];
-    records[block * QUELL_FIT_RECORD + QUELL_FIT_ANCHOR + c] = anchor[c];
-    records[block * QUELL_FIT_RECORD + QUELL_FIT_SCALE + c] = scale[c];
+  }
+  if (id == 0) {
+    __global float* record = records + block * QUELL_FIT_RECORD;
+    record[QUELL_FIT_USABLE] = r[0][0] != 0.0f ? 1.0f : 0.0f;
+    for (int k = 0; k < QUELL_SCALED; ++k) {
+      record[QUELL_FIT_ANCHOR + k] = anchor[k];
+      record[QUELL_FIT_SCALE + k] = scale[k];
+    }
   }
 }

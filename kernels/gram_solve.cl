@@ -1,9 +1,10 @@
 // gram_solve: from the sums of tiles to the coefficients of a fit, one window a lane.
 // Paper:   Koskela et al. 2019, eq. (2), by normal equations instead of a factorisation of the pixels.
-// In:      tile buffer of gram_sums. Out: one record a window, as fit.cl writes it; scale 0 where no pixel had a sample.
+// In:      tile buffer of gram_sums. Out: one record a window, as fit.cl writes it.
 // Windows: GRAM_OVERLAP 0: a window is a tile. 1: the tile and its eight neighbours, weighted with a tent
 //          (1/4, 1/2, 1) per axis; their sums are first taken to the scaling of the window, exactly: with
-//          w' = r w + t per axis, w'^2 = r^2 w^2 + 2 r t w + t^2, the Gram matrix G becomes M G M^T.
+//          w' = r w + t per axis, w'^2 = r^2 w^2 + 2 r t w + t^2, the Gram matrix G becomes M G M^T. What powers and
+//          products need for that but the fit does not use stands behind its features in the sums.
 // Noise:   independent zero-mean noise of variance s^2 on every feature but the constant one adds W s^2 to the
 //          diagonal of the expected Gram matrix (W: sum of weights). It is added in the scaled space in which the
 //          stochastic regularisation adds its noise: deterministic, and the same in expectation.
@@ -29,94 +30,103 @@ QUELL_INLINE floatL tileValue(__global const float* tiles, int tileStride, int p
 #endif
 }
 
-typedef struct Window {
-  floatL low[3];
-  floatL high[3];
-  floatL anchor[3];
-  floatL scale[3];
-} Window;
+// Range and scaling of the unbounded variables.
+typedef struct Range {
+  floatL low[QUELL_SCALED_SLOTS];
+  floatL high[QUELL_SCALED_SLOTS];
+  floatL anchor[QUELL_SCALED_SLOTS];
+  floatL scale[QUELL_SCALED_SLOTS];
+} Range;
+
+QUELL_INLINE void loadRange(__global const float* tiles, int tileStride, intL tile, Range* range) {
+  for (int k = 0; k < QUELL_SCALED; ++k) {
+    range->low[k] = tileValue(tiles, tileStride, QUELL_GRAM_LOW + k, tile);
+    range->high[k] = tileValue(tiles, tileStride, QUELL_GRAM_HIGH + k, tile);
+  }
+  scaleRangesLanes(range->low, range->high, range->anchor, range->scale);
+}
 
 #if GRAM_OVERLAP
-// Features 4..6 are positions, 7..9 their squares: G becomes M G M^T for the change of scaling of one axis. The two
-// columns are replaced by combinations of themselves and of the constant column, first as columns, then as rows.
-QUELL_INLINE void changeScaling(floatL g[QUELL_FIT_COLUMNS][QUELL_FIT_COLUMNS], int axis, floatL r,
-                                floatL t) {
-  const int p = 4 + axis;
-  const int q = 7 + axis;
-  const floatL rt = 2.0f * r * t;
-  for (int k = 0; k < QUELL_FIT_COLUMNS; ++k) {
-    const floatL one = g[k][0];
-    const floatL linear = g[k][p];
-    g[k][p] = r * linear + t * one;
-    g[k][q] = r * r * g[k][q] + rt * linear + t * t * one;
+#define NEIGHBOURS 9
+
+// G becomes M G M^T for the change of scaling of one variable v. The host lists, for each, the features that contain
+// it, highest power first: RESCALE_n(i, i_n-1, .., i_0) replaces feature i, with power n of v, by a combination of
+// itself and of the features i_m with the power lowered to m. First for columns, then for rows.
+#define VARIABLE(v, steps)                                                   \
+  {                                                                          \
+    const floatL r = window->scale[v] / own.scale[v];                        \
+    const floatL t = (own.anchor[v] - window->anchor[v]) * window->scale[v]; \
+    const floatL rt = 2.0f * r * t;                                          \
+    for (int k = 0; k < QUELL_GRAM_COLUMNS; ++k) {                           \
+      floatL* line = g[k];                                                   \
+      const int stride = 1;                                                  \
+      steps                                                                  \
+    }                                                                        \
+    for (int k = 0; k < QUELL_GRAM_COLUMNS; ++k) {                           \
+      floatL* line = &g[0][k];                                               \
+      const int stride = QUELL_GRAM_COLUMNS;                                 \
+      steps                                                                  \
+    }                                                                        \
   }
-  for (int k = 0; k < QUELL_FIT_COLUMNS; ++k) {
-    const floatL one = g[0][k];
-    const floatL linear = g[p][k];
-    g[p][k] = r * linear + t * one;
-    g[q][k] = r * r * g[q][k] + rt * linear + t * t * one;
-  }
-}
+#define AT(i) line[(i)*stride]
+#define RESCALE_1(i, i0) AT(i) = r * AT(i) + t * AT(i0);
+#define RESCALE_2(i, i1, i0) AT(i) = r * r * AT(i) + rt * AT(i1) + t * t * AT(i0);
+#define RESCALE_3(i, i2, i1, i0) \
+  AT(i) = r * r * r * AT(i) + 3.0f * (r * r * t * AT(i2) + r * t * t * AT(i1)) + t * t * t * AT(i0);
+#ifndef QUELL_RESCALE_LIST
+#if QUELL_GRAM_FEATURES == 10 && QUELL_SCALED == 3
+#define QUELL_RESCALE_LIST                        \
+  VARIABLE(0, RESCALE_2(7, 4, 0) RESCALE_1(4, 0)) \
+  VARIABLE(1, RESCALE_2(8, 5, 0) RESCALE_1(5, 0)) VARIABLE(2, RESCALE_2(9, 6, 0) RESCALE_1(6, 0))
+#else
+#define QUELL_RESCALE_LIST
+#endif
+#endif
 #endif
 
 // The window's sums in its own scaling; out-of-grid neighbours are left out.
 QUELL_INLINE void gatherWindow(__global const float* tiles, GramParams params, intL tileX, intL tileY,
-                               Window* window, floatL* sums) {
+                               Range* window, floatL* sums) {
 #if GRAM_OVERLAP
-  for (int axis = 0; axis < 3; ++axis) {
-    window->low[axis] = (floatL)(NO_POSITION);
-    window->high[axis] = (floatL)(-NO_POSITION);
+  intL tile[NEIGHBOURS], inside[NEIGHBOURS];
+  Range range[NEIGHBOURS];
+  for (int k = 0; k < QUELL_SCALED; ++k) {
+    window->low[k] = (floatL)(NO_POSITION);
+    window->high[k] = (floatL)(-NO_POSITION);
   }
-  for (int n = 0; n < 9; ++n) {
+  for (int n = 0; n < NEIGHBOURS; ++n) {
     const intL x = tileX + (n % 3 - 1);
     const intL y = tileY + (n / 3 - 1);
-    const intL inside = x >= 0 && x < params.tilesX && y >= 0 && y < params.tilesY;
-    const intL tile = inside ? y * params.tilesX + x : (intL)(0);
-    for (int axis = 0; axis < 3; ++axis) {
-      const floatL low = tileValue(tiles, params.tileStride, QUELL_GRAM_LOW + axis, tile);
-      const floatL high = tileValue(tiles, params.tileStride, QUELL_GRAM_HIGH + axis, tile);
-      window->low[axis] = inside ? minLanes(window->low[axis], low) : window->low[axis];
-      window->high[axis] = inside ? maxLanes(window->high[axis], high) : window->high[axis];
+    inside[n] = x >= 0 && x < params.tilesX && y >= 0 && y < params.tilesY;
+    tile[n] = inside[n] ? y * params.tilesX + x : (intL)(0);
+    loadRange(tiles, params.tileStride, tile[n], &range[n]);
+    for (int k = 0; k < QUELL_SCALED; ++k) {
+      window->low[k] = inside[n] ? minLanes(window->low[k], range[n].low[k]) : window->low[k];
+      window->high[k] = inside[n] ? maxLanes(window->high[k], range[n].high[k]) : window->high[k];
     }
   }
-  scalePositionsLanes(window->low, window->high, window->anchor, window->scale);
+  scaleRangesLanes(window->low, window->high, window->anchor, window->scale);
   for (int k = 0; k < QUELL_GRAM_SUMS; ++k) sums[k] = ZERO_LANES;
-  for (int n = 0; n < 9; ++n) {
-    const intL x = tileX + (n % 3 - 1);
-    const intL y = tileY + (n / 3 - 1);
-    const intL inside = x >= 0 && x < params.tilesX && y >= 0 && y < params.tilesY;
-    const intL tile = inside ? y * params.tilesX + x : (intL)(0);
+  for (int n = 0; n < NEIGHBOURS; ++n) {
     const float tent = (n % 3 == 1 ? 1.0f : 0.5f) * (n / 3 == 1 ? 1.0f : 0.5f);
-    floatL g[QUELL_FIT_COLUMNS][QUELL_FIT_COLUMNS];
-    for (int a = 0; a < QUELL_FIT_COLUMNS; ++a) {
-      for (int b = a; b < QUELL_FIT_COLUMNS; ++b) {
-        g[a][b] = tileValue(tiles, params.tileStride, QUELL_GRAM_INDEX(a, b), tile);
+    floatL g[QUELL_GRAM_COLUMNS][QUELL_GRAM_COLUMNS];
+    for (int a = 0; a < QUELL_GRAM_COLUMNS; ++a) {
+      for (int b = a; b < QUELL_GRAM_COLUMNS; ++b) {
+        g[a][b] = tileValue(tiles, params.tileStride, QUELL_GRAM_INDEX(a, b), tile[n]);
         g[b][a] = g[a][b];
       }
     }
-    floatL low[3], high[3], anchor[3], scale[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = tileValue(tiles, params.tileStride, QUELL_GRAM_LOW + axis, tile);
-      high[axis] = tileValue(tiles, params.tileStride, QUELL_GRAM_HIGH + axis, tile);
-    }
-    scalePositionsLanes(low, high, anchor, scale);
-    for (int axis = 0; axis < 3; ++axis) {
-      const floatL ratio = window->scale[axis] / scale[axis];
-      changeScaling(g, axis, ratio, (anchor[axis] - window->anchor[axis]) * window->scale[axis]);
-    }
-    const intL counts = inside && low[0] <= high[0];
-    for (int a = 0; a < QUELL_FIT_COLUMNS; ++a) {
-      for (int b = a; b < QUELL_FIT_COLUMNS; ++b)
+    const Range own = range[n];
+    QUELL_RESCALE_LIST
+    const intL counts = inside[n] && g[0][0] > 0.0f;
+    for (int a = 0; a < QUELL_GRAM_COLUMNS; ++a) {
+      for (int b = a; b < QUELL_GRAM_COLUMNS; ++b)
         sums[QUELL_GRAM_INDEX(a, b)] += counts ? tent * g[a][b] : ZERO_LANES;
     }
   }
 #else
   const intL tile = tileY * params.tilesX + tileX;
-  for (int axis = 0; axis < 3; ++axis) {
-    window->low[axis] = tileValue(tiles, params.tileStride, QUELL_GRAM_LOW + axis, tile);
-    window->high[axis] = tileValue(tiles, params.tileStride, QUELL_GRAM_HIGH + axis, tile);
-  }
-  scalePositionsLanes(window->low, window->high, window->anchor, window->scale);
+  loadRange(tiles, params.tileStride, tile, window);
   for (int k = 0; k < QUELL_GRAM_SUMS; ++k) sums[k] = tileValue(tiles, params.tileStride, k, tile);
 #endif
 }
@@ -126,8 +136,8 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
                               floatL coefficients[QUELL_FEATURES][QUELL_FIT_CHANNELS]) {
   const floatL weight = sums[QUELL_GRAM_INDEX(0, 0)];
   const floatL inverseWeight = 1.0f / (weight > 0.0f ? weight : ONE_LANES);
-  floatL mean[QUELL_FIT_COLUMNS];
-  for (int k = 1; k < QUELL_FIT_COLUMNS; ++k) mean[k] = sums[QUELL_GRAM_INDEX(0, k)] * inverseWeight;
+  floatL mean[QUELL_GRAM_COLUMNS];
+  for (int k = 1; k < QUELL_GRAM_COLUMNS; ++k) mean[k] = sums[QUELL_GRAM_INDEX(0, k)] * inverseWeight;
 
   // Centred, regularised and normalised: the diagonal becomes 1, or the feature is dropped (0).
   floatL inverseDeviation[VARIED];
@@ -150,7 +160,7 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
     }
     factor[LOWER(i, i)] = inverseDeviation[i] > 0.0f ? ONE_LANES : ZERO_LANES;
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c) {
-      const int column = QUELL_FEATURES + c;
+      const int column = QUELL_GRAM_FEATURES + c;
       right[i][c] =
           (sums[QUELL_GRAM_INDEX(i + 1, column)] - sums[QUELL_GRAM_INDEX(0, i + 1)] * mean[column]) *
           inverseDeviation[i];
@@ -183,7 +193,7 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
       for (int k = i + 1; k < VARIED; ++k) sum -= factor[LOWER(k, i)] * solution[k];
       solution[i] = sum * factor[LOWER(i, i)];
     }
-    floatL intercept = mean[QUELL_FEATURES + c];
+    floatL intercept = mean[QUELL_GRAM_FEATURES + c];
     for (int i = 0; i < VARIED; ++i) {
       coefficients[i + 1][c] = solution[i] * inverseDeviation[i];
       intercept -= coefficients[i + 1][c] * mean[i + 1];
@@ -204,7 +214,7 @@ __kernel void gram_solve(__global const float* tiles, __global float* records, G
   const intL tileY = window / params.tilesX;
   const intL tileX = window - tileY * params.tilesX;
 
-  Window range;
+  Range range;
   floatL sums[QUELL_GRAM_SUMS];
   gatherWindow(tiles, params, tileX, tileY, &range, sums);
   floatL coefficients[QUELL_FEATURES][QUELL_FIT_CHANNELS];
@@ -216,9 +226,10 @@ __kernel void gram_solve(__global const float* tiles, __global float* records, G
     for (int j = 0; j < QUELL_FEATURES; ++j)
       for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
         storeLane(record, j * QUELL_FIT_CHANNELS + c, coefficients[j][c], lane);
-    for (int axis = 0; axis < 3; ++axis) {
-      storeLane(record, QUELL_FIT_ANCHOR + axis, range.anchor[axis], lane);
-      storeLane(record, QUELL_FIT_SCALE + axis, hasSamples ? range.scale[axis] : ZERO_LANES, lane);
+    storeLane(record, QUELL_FIT_USABLE, hasSamples ? ONE_LANES : ZERO_LANES, lane);
+    for (int k = 0; k < QUELL_SCALED; ++k) {
+      storeLane(record, QUELL_FIT_ANCHOR + k, range.anchor[k], lane);
+      storeLane(record, QUELL_FIT_SCALE + k, range.scale[k], lane);
     }
   }
 }

@@ -12,7 +12,7 @@
 #define ITEMS_PER_BLOCK_ROW (QUELL_BLOCK_EDGE / QUELL_LANES)
 
 __kernel void weighted_sum(__global const float* records, __global const float* guides,
-                           __global float* fitted, FitParams params) {
+                           __global const float* materials, __global float* fitted, FitParams params) {
   const int itemX = (int)get_global_id(0);
   const int rowY = (int)get_global_id(1);
   const int x = params.blockOffsetX + itemX * QUELL_LANES;
@@ -25,9 +25,18 @@ __kernel void weighted_sum(__global const float* records, __global const float* 
   const int index = planeIndex(params.planes, x, y);
   const int stride = params.planes.stride;
 
-  const float3L position = loadLanes3(guides + QUELL_GUIDE_POSITION * stride, index, stride);
-  const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * stride, index, stride);
-  const float3L sum = evaluateFit(record, position, normal);
-  const intL surface = dot3(normal, normal) > 0.0f && isFinite3(sum);
+  Guide guide;
+  guide.position = loadLanes3(guides + QUELL_GUIDE_POSITION * stride, index, stride);
+  guide.normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * stride, index, stride);
+#if QUELL_USES_PIXEL
+  guide.column = TO_FLOAT(x + LANE_INDEX);
+  guide.row = (floatL)((float)y);
+#endif
+#if QUELL_USES_MATERIAL
+  guide.albedo = loadLanes3(materials + QUELL_MATERIAL_ALBEDO * stride, index, stride);
+  guide.roughness = loadLanes(materials + QUELL_MATERIAL_ROUGHNESS * stride + index);
+#endif
+  const float3L sum = evaluateFit(record, guide, params.viewAxis);
+  const intL surface = dot3(guide.normal, guide.normal) > 0.0f && isFinite3(sum);
   storeLanes3(select3(surface, clamp3(sum, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f)), fitted, index, stride);
 }

@@ -72,6 +72,9 @@ void addInputOptions(CLI::App& command, InputArguments& input) {
       .add_option("--size", input.sizes,
                   "Sizes of the built-in sequence; default: 1280x720 if there is no --input")
       ->delimiter(kSeparator);
+  command.add_option("--signals", input.signals, "1, or 2: diffuse and glossy light side by side")
+      ->check(CLI::Range(1, 2))
+      ->capture_default_str();
   command
       .add_option("--frames", input.mostFrames,
                   "Run the first N frames of every sequence; default: all, 16 of the built-in one")

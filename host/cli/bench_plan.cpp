@@ -111,9 +111,11 @@ std::vector<PlannedRun> planRuns(const std::vector<std::string>& methods,
 std::vector<BenchInput> openInputs(const InputArguments& arguments) {
   std::vector<BenchInput> inputs;
   for (const std::string& directory : arguments.directories)
-    inputs.push_back(openInput(io::openSequence(directory), arguments.mostFrames));
+    inputs.push_back(openInput(io::openSequence(directory, arguments.signals), arguments.mostFrames));
   std::vector<std::string> sizes = arguments.sizes;
   if (inputs.empty() && sizes.empty()) sizes = {kDefaultSize};
+  if (!sizes.empty() && arguments.signals != 1)
+    refuse(kCommand, "--signals", "1 with the built-in sequence", std::to_string(arguments.signals));
   for (const std::string& text : sizes) {
     const Size size = parseSize(kCommand, text);
     io::AnalyticOptions analytic;

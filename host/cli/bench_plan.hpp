@@ -48,6 +48,7 @@ struct BenchInput {
 struct InputArguments {
   std::vector<std::string> directories;
   std::vector<std::string> sizes;  ///< of the built-in sequence, such as "1280x720"
+  int signals = 1;                 ///< 2: diffuse and glossy light side by side; directories only
   int mostFrames = 0;              ///< the first frames of every sequence; 0: all, or 16 built-in ones
 };
 

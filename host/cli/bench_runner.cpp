@@ -64,7 +64,7 @@ void measureErrors(ActiveRun& active, const io::FrameData& frame, const io::Fram
   const DenoisedFrame denoised = active.session->denoise(frame);
   active.hash.add(denoised.linear);
   active.hash.add(denoised.display);
-  if (frame.demodulated) return;
+  if (!frame.comparable()) return;
   if (const auto reference = sequence.reference(frame.number))
     active.run.report.errors.push_back(compareFrame(frame, denoised, *reference));
 }

@@ -93,7 +93,8 @@ std::string settingsHelp(const std::string& option) {
       if (setting.kind == SettingKind::Boolean) range = "on, off";
       if (setting.kind == SettingKind::Choice) range = fmt::format("{}", fmt::join(setting.choices, ", "));
       if (!setting.unit.empty()) range += " " + setting.unit;
-      text += fmt::format("    {:<24} {} (default {}; {})\n", setting.name, setting.description,
+      range = setting.kind == SettingKind::Text ? "" : "; " + range;
+      text += fmt::format("    {:<24} {} (default {}{})\n", setting.name, setting.description,
                           defaults.text(setting.name), range);
     }
   }

@@ -30,18 +30,22 @@ struct DenoiseOptions {
   std::string frames;
   std::string size = "1280x720";
   std::string taa;
+  std::string preset = "default";
+  std::string demodulate;
   std::string timers = "device";
   std::string json;
   std::vector<std::string> settings;
   DeviceArguments device;
   int analyticFrames = 16;
+  int signals = 1;
   bool png = false;
   bool exr = false;
   bool copyBandwidth = false;
 };
 
 std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
-  if (!options.input.empty()) return io::openSequence(options.input);
+  if (!options.input.empty()) return io::openSequence(options.input, options.signals);
+  if (options.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
   const Size size = parseSize(kCommand, options.size);
   io::AnalyticOptions analytic;
   analytic.width = size.width;
@@ -65,7 +69,9 @@ std::vector<int> chooseFrames(const DenoiseOptions& options, const io::FrameSequ
 
 Settings makeSettings(const DenoiseOptions& options, const io::FrameSequence& sequence) {
   Settings settings = defaultSettings(options.method, sequence);
+  if (options.preset != "default") settings.usePreset(options.preset);
   if (!options.taa.empty()) settings.set("taa", options.taa);
+  if (!options.demodulate.empty()) settings.set("demodulate", options.demodulate);
   for (const std::string& assignment : options.settings) {
     const auto [name, value] = parseAssignment(kCommand, "--set", assignment);
     settings.set(name, value);
@@ -101,7 +107,7 @@ void runDenoise(const DenoiseOptions& options) {
     hash.add(denoised.display);
     if (files) files->write(number, denoised);
     if (const auto reference = sequence->reference(number)) {
-      if (!frame.demodulated) report.errors.push_back(compareFrame(frame, denoised, *reference));
+      if (frame.comparable()) report.errors.push_back(compareFrame(frame, denoised, *reference));
       if (files) files->writeComparison(frame, denoised, *reference);
     }
     ++report.frames;
@@ -140,6 +146,13 @@ void addDenoiseCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--taa", options->taa, "Temporal antialiasing of the display image")
       ->check(CLI::IsMember({"on", "off"}));
+  command->add_option("--signals", options->signals, "1, or 2: diffuse and glossy light side by side")
+      ->check(CLI::Range(1, 2))
+      ->capture_default_str();
+  command->add_option("--demodulate", options->demodulate, "Short for --set demodulate=...");
+  command->add_option("--preset", options->preset, "Settings to start from: default, or those of the paper")
+      ->check(CLI::IsMember({"default", "paper"}))
+      ->capture_default_str();
   command->add_option("--set", options->settings, "A setting of the method, name=value; may be repeated");
   command->add_option("--timers", options->timers, "Where stage times come from")
       ->check(CLI::IsMember({"device", "host", "off"}))

@@ -14,7 +14,7 @@ constexpr double kMebibyte = 1024.0 * 1024.0;
 json settingsJson(const Settings& settings) {
   json result = json::object();
   for (const SettingDescription& setting : settings.descriptions()) {
-    const bool text = setting.kind == SettingKind::Boolean || setting.kind == SettingKind::Choice;
+    const bool text = setting.kind != SettingKind::Real && setting.kind != SettingKind::Integer;
     if (text) {
       result[setting.name] = settings.text(setting.name);
     } else {
@@ -98,7 +98,7 @@ void printErrors(const std::vector<FrameErrors>& errors) {
 
 FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denoised,
                          const io::Reference& reference) {
-  return {frame.number, metrics::compareToReference(frame.radiance, false, reference.a, reference.b),
+  return {frame.number, metrics::compareToReference(frame.noisy(), false, reference.a, reference.b),
           metrics::compareToReference(denoised.linear, false, reference.a, reference.b),
           metrics::compareToReference(denoised.display, true, reference.a, reference.b)};
 }

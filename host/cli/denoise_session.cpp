@@ -20,11 +20,13 @@ struct InputImage {
 
 constexpr InputImage kInputs[] = {
     {&io::FrameData::radiance, &Frame::radiance},
+    {&io::FrameData::glossyRadiance, &Frame::glossyRadiance},
     {&io::FrameData::normalWorld, &Frame::normalWorld},
     {&io::FrameData::positionWorld, &Frame::positionWorld},
     {&io::FrameData::albedo, &Frame::albedo},
     {&io::FrameData::glossColor, &Frame::glossColor},
     {&io::FrameData::emission, &Frame::emission},
+    {&io::FrameData::roughness, &Frame::roughness},
 };
 
 std::size_t bytesOf(const io::Image& image) { return image.pixels.size() * sizeof(float); }

@@ -46,7 +46,7 @@ void OutputFiles::writeComparison(const io::FrameData& noisy, const DenoisedFram
                                   const io::Reference& reference) const {
   const int width = denoised.display.width;
   io::Image sheet(3 * width, denoised.display.height, 3);
-  paste(sheet, metrics::encodeForDisplay(noisy.radiance), 0);
+  paste(sheet, metrics::encodeForDisplay(noisy.noisy()), 0);
   paste(sheet, denoised.display, width);
   paste(sheet, metrics::encodeForDisplay(metrics::meanOfHalves(reference.a, reference.b)), 2 * width);
   io::writePng(path("comparison", noisy.number, "png"), sheet);

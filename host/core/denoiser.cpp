@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "host/core/cl_error.hpp"
+#include "host/core/frame_images.hpp"
 #include "host/core/frame_timer.hpp"
 #include "host/core/reprojection.hpp"
 #include "host/core/schedule.hpp"
@@ -107,15 +108,9 @@ class WarmUpImages {
   WarmUpImages(const cl::Context& context, const cl::CommandQueue& queue, const Frame& layout,
                const Output& outputLayout)
       : frame(layout), output(outputLayout) {
-    for (ImageView* view : {&frame.radiance, &frame.glossyRadiance, &frame.normalWorld, &frame.positionWorld,
-                            &frame.viewDepth, &frame.albedo, &frame.glossColor, &frame.roughness,
-                            &frame.emission, &output.linear, &output.display}) {
-      if (!view->present()) continue;
-      const std::size_t bytes = view->requiredBytes(layout.size);
-      m_buffers.emplace_back(context, CL_MEM_READ_WRITE, bytes);
-      queue.enqueueFillBuffer(m_buffers.back(), cl_uchar(0), 0, bytes);
-      view->memory = m_buffers.back()();
-    }
+    for (const FrameImage& image : kFrameImages) provide(context, queue, frame.*image.view);
+    provide(context, queue, output.linear);
+    provide(context, queue, output.display);
     // Any camera will do; this one looks along -z.
     frame.camera.worldToClip = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0};
     frame.camera.worldToClipPrev = frame.camera.worldToClip;
@@ -125,6 +120,14 @@ class WarmUpImages {
   Output output;
 
  private:
+  void provide(const cl::Context& context, const cl::CommandQueue& queue, ImageView& view) {
+    if (!view.present()) return;
+    const std::size_t bytes = view.requiredBytes(frame.size);
+    m_buffers.emplace_back(context, CL_MEM_READ_WRITE, bytes);
+    queue.enqueueFillBuffer(m_buffers.back(), cl_uchar(0), 0, bytes);
+    view.memory = m_buffers.back()();
+  }
+
   std::vector<cl::Buffer> m_buffers;
 };
 

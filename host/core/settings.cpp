@@ -44,6 +44,8 @@ std::string joined(const std::vector<std::string>& names) {
     expected = "on or off";
   } else if (setting.kind == SettingKind::Choice) {
     expected = "one of " + joined(setting.choices);
+  } else if (setting.kind == SettingKind::Text) {
+    expected = "a text";
   } else {
     expected = std::string(setting.kind == SettingKind::Integer ? "a whole number" : "a number") + " from " +
                numberText(setting.minimum) + " to " + numberText(setting.maximum);
@@ -55,7 +57,8 @@ std::string joined(const std::vector<std::string>& names) {
 }  // namespace
 
 Settings::Settings(const std::string& method) : m_method(method) {
-  for (const SettingDescription& setting : methodSettings(method)) m_values.push_back(setting.defaultValue);
+  for (const SettingDescription& setting : methodSettings(method))
+    m_values.push_back({setting.defaultValue, setting.defaultText});
 }
 
 const std::vector<SettingDescription>& Settings::descriptions() const { return methodSettings(m_method); }
@@ -73,13 +76,20 @@ std::size_t Settings::indexOf(const std::string& name) const {
 void Settings::set(const std::string& name, double value) {
   const std::size_t index = indexOf(name);
   const SettingDescription& setting = descriptions()[index];
+  if (setting.kind == SettingKind::Text) refuse(setting, numberText(value));
   const bool whole = setting.kind == SettingKind::Real || value == std::floor(value);
   if (!(value >= setting.minimum && value <= setting.maximum) || !whole) refuse(setting, numberText(value));
-  m_values[index] = value;
+  m_values[index].number = value;
 }
 
 void Settings::set(const std::string& name, const std::string& text) {
-  const SettingDescription& setting = descriptions()[indexOf(name)];
+  const std::size_t index = indexOf(name);
+  const SettingDescription& setting = descriptions()[index];
+  if (setting.kind == SettingKind::Text) {
+    findMethod(m_method).checkText(name, text);
+    m_values[index].text = text;
+    return;
+  }
   if (setting.kind == SettingKind::Boolean && (text == "on" || text == "true")) return set(name, 1.0);
   if (setting.kind == SettingKind::Boolean && (text == "off" || text == "false")) return set(name, 0.0);
   if (setting.kind == SettingKind::Choice) {
@@ -97,21 +107,23 @@ void Settings::usePreset(const std::string& preset) {
     throw Error(ErrorCode::UnknownSetting, {"settings", "preset", "default or paper", preset});
   for (std::size_t i = 0; i < m_values.size(); ++i) {
     const SettingDescription& setting = descriptions()[i];
-    if (preset == "default") m_values[i] = setting.defaultValue;
-    if (preset == "paper" && setting.paper) m_values[i] = *setting.paper;
+    if (preset == "default") m_values[i] = {setting.defaultValue, setting.defaultText};
+    if (preset == "paper" && setting.paper) m_values[i].number = *setting.paper;
   }
 }
 
-double Settings::get(const std::string& name) const { return m_values[indexOf(name)]; }
+double Settings::get(const std::string& name) const { return m_values[indexOf(name)].number; }
 
 bool Settings::isOn(const std::string& name) const { return get(name) != 0.0; }
 
 std::string Settings::text(const std::string& name) const {
   const std::size_t index = indexOf(name);
   const SettingDescription& setting = descriptions()[index];
-  if (setting.kind == SettingKind::Boolean) return m_values[index] != 0.0 ? "on" : "off";
-  if (setting.kind == SettingKind::Choice) return setting.choices[static_cast<std::size_t>(m_values[index])];
-  return numberText(m_values[index]);
+  if (setting.kind == SettingKind::Boolean) return m_values[index].number != 0.0 ? "on" : "off";
+  if (setting.kind == SettingKind::Choice)
+    return setting.choices[static_cast<std::size_t>(m_values[index].number)];
+  if (setting.kind == SettingKind::Text) return m_values[index].text;
+  return numberText(m_values[index].number);
 }
 
 }  // namespace quell

@@ -1,13 +1,14 @@
 #include "host/core/validation.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <quell/error.hpp>
 #include <string>
+#include <vector>
 
 #include "host/core/cl_error.hpp"
+#include "host/core/frame_images.hpp"
 #include "host/core/reprojection.hpp"
 
 namespace quell {
@@ -30,18 +31,13 @@ struct NamedView {
   bool output;
 };
 
-std::array<NamedView, 11> namedViews(const Frame& frame, const Output& output) {
-  return {{{"radiance", &frame.radiance, 1, 4, false},
-           {"glossyRadiance", &frame.glossyRadiance, 1, 4, false},
-           {"normalWorld", &frame.normalWorld, 3, 4, false},
-           {"positionWorld", &frame.positionWorld, 3, 4, false},
-           {"viewDepth", &frame.viewDepth, 1, 1, false},
-           {"albedo", &frame.albedo, 1, 4, false},
-           {"glossColor", &frame.glossColor, 1, 4, false},
-           {"roughness", &frame.roughness, 1, 1, false},
-           {"emission", &frame.emission, 1, 4, false},
-           {"output.linear", &output.linear, 3, 4, true},
-           {"output.display", &output.display, 3, 4, true}}};
+std::vector<NamedView> namedViews(const Frame& frame, const Output& output) {
+  std::vector<NamedView> views;
+  for (const FrameImage& image : kFrameImages)
+    views.push_back({image.name, &(frame.*image.view), image.leastChannels, image.mostChannels, false});
+  views.push_back({"output.linear", &output.linear, 3, 4, true});
+  views.push_back({"output.display", &output.display, 3, 4, true});
+  return views;
 }
 
 [[noreturn]] void refuse(const char* function, ErrorCode code, const std::string& buffer,

@@ -52,8 +52,10 @@ std::map<int, Camera> readCameras(const std::string& path) {
 
 }  // namespace
 
-CyclesSequence::CyclesSequence(std::string directory)
-    : m_directory(std::move(directory)), m_frames(findFrames(m_directory, filesOf("color"))) {
+CyclesSequence::CyclesSequence(std::string directory, int signals)
+    : m_directory(std::move(directory)),
+      m_frames(findFrames(m_directory, filesOf("color"))),
+      m_signals(signals) {
   const std::string cameraPath = joinPath(m_directory, kCyclesCameraFile);
   m_cameras = readCameras(cameraPath);
   for (int frame : m_frames)
@@ -61,9 +63,13 @@ CyclesSequence::CyclesSequence(std::string directory)
       throwFileError(kStage, cameraPath, fmt::format("matrices of frame {}", frame), "none");
   for (const char* required : {"shading_normal", "world_position"})
     requireFrameFiles(m_directory, filesOf(required), m_frames);
+  if (m_signals == 2)
+    for (const char* required : {"diffuse_irradiance", "glossy_radiance"})
+      requireFrameFiles(m_directory, filesOf(required), m_frames);
   m_hasAlbedo = hasFrameFiles(m_directory, filesOf("albedo"), m_frames);
   m_hasGlossColor = hasFrameFiles(m_directory, filesOf("gloss_color"), m_frames);
   m_hasEmission = hasFrameFiles(m_directory, filesOf("emission"), m_frames);
+  m_hasRoughness = hasFrameFiles(m_directory, filesOf("roughness"), m_frames);
 
   const ExrHeader first = readExrHeader(joinPath(m_directory, filesOf("color")(m_frames.front())));
   m_width = first.width;
@@ -79,12 +85,22 @@ FrameData CyclesSequence::read(int frame) const {
   FrameData data;
   data.number = frame;
   data.camera = m_cameras.at(frame);
-  data.radiance = readBuffer("color", frame);
+  Image color = readBuffer("color", frame);
+  if (m_signals == 2) {
+    data.combined = std::move(color);
+    data.radiance = readBuffer("diffuse_irradiance", frame);
+    data.glossyRadiance = readBuffer("glossy_radiance", frame);
+    data.demodulated = true;
+  } else {
+    data.radiance = std::move(color);
+  }
   data.normalWorld = readBuffer("shading_normal", frame);
   data.positionWorld = readBuffer("world_position", frame);
   if (m_hasAlbedo) data.albedo = readBuffer("albedo", frame);
   if (m_hasGlossColor) data.glossColor = readBuffer("gloss_color", frame);
   if (m_hasEmission) data.emission = readBuffer("emission", frame);
+  if (m_hasRoughness)
+    data.roughness = readGreyOfSize(joinPath(m_directory, filesOf("roughness")(frame)), m_width, m_height);
   return data;
 }
 

@@ -1,7 +1,8 @@
 // Sequences as rendered with Blender Cycles: one OpenEXR file per buffer and frame, matrices in camera.json.
 //
 // For each frame NNNN (at least four digits, numbers without gaps): color_NNNN.exr, shading_normal_NNNN.exr,
-// world_position_NNNN.exr; for all frames or none: albedo_NNNN.exr, gloss_color_NNNN.exr, emission_NNNN.exr;
+// world_position_NNNN.exr; for all frames or none: albedo_NNNN.exr, gloss_color_NNNN.exr, emission_NNNN.exr,
+// roughness_NNNN.exr (one channel);
 // for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference. Other files are
 // ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
 // ...]}, in the convention of quell::Camera: row-major, column vectors, NDC y up, rays through pixel centres
@@ -24,7 +25,7 @@ class CyclesSequence final : public FrameSequence {
  public:
   /// Checks that all files are there; pixels are read later. The size is that of the first colour image.
   /// Throws Error(FileError): a missing frame or buffer, a malformed camera.json, a frame missing in it.
-  explicit CyclesSequence(std::string directory);
+  explicit CyclesSequence(std::string directory, int signals = 1);
 
   std::string name() const override { return m_directory; }
   int width() const override { return m_width; }
@@ -44,9 +45,11 @@ class CyclesSequence final : public FrameSequence {
   std::map<int, Camera> m_cameras;
   int m_width = 0;
   int m_height = 0;
+  int m_signals = 1;
   bool m_hasAlbedo = false;
   bool m_hasGlossColor = false;
   bool m_hasEmission = false;
+  bool m_hasRoughness = false;
 };
 
 }  // namespace quell::io

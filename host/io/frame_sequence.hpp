@@ -15,14 +15,24 @@ namespace quell::io {
 struct FrameData {
   int number = 0;  ///< frame number within its sequence, >= 0
   Camera camera;
-  Image radiance;       ///< 3 channels, linear; with emission included, unless `demodulated`
-  Image normalWorld;    ///< 3 channels, unit length; zero marks background
-  Image positionWorld;  ///< 3 channels, scene units
-  Image albedo;         ///< 3 channels, optional
-  Image glossColor;     ///< 3 channels, optional
-  Image emission;       ///< 3 channels, optional
-  /// True where `radiance` is already divided by albedo (the layout published with the BMFR paper).
+  /// 3 channels, linear; with emission included, unless `demodulated`; the diffuse signal where there are two.
+  Image radiance;
+  Image glossyRadiance;  ///< 3 channels; only where two signals were asked for
+  Image combined;        ///< 3 channels, linear radiance as a whole; only where two signals were asked for
+  Image normalWorld;     ///< 3 channels, unit length; zero marks background
+  Image positionWorld;   ///< 3 channels, scene units
+  Image albedo;          ///< 3 channels, optional
+  Image glossColor;      ///< 3 channels, optional
+  Image emission;        ///< 3 channels, optional
+  Image roughness;       ///< 1 channel, 0 to 1, optional; alpha of GGX is its square
+  /// True where light is already divided by albedo and gloss colour (two signals, and the layout published with
+  /// the BMFR paper).
   bool demodulated = false;
+
+  /// The noisy picture of the frame, or what comes nearest to it.
+  const Image& noisy() const { return combined.empty() ? radiance : combined; }
+  /// True if the denoised frame may be compared with a reference picture.
+  bool comparable() const { return !demodulated || !combined.empty(); }
 };
 
 /// Two independent converged renderings of one frame (linear, 3 channels). Their mean is the reference.
@@ -57,7 +67,8 @@ class FrameSequence {
 };
 
 /// Opens a directory in either supported layout; which one is found by looking (see cycles_sequence.hpp and
-/// bmfr_sequence.hpp). Throws Error(FileError) saying what was looked for.
-std::unique_ptr<FrameSequence> openSequence(const std::string& directory);
+/// bmfr_sequence.hpp). `signals`: 1, or 2 for diffuse and glossy light apart. Throws Error(FileError) saying what
+/// was looked for, or which layout has no two signals.
+std::unique_ptr<FrameSequence> openSequence(const std::string& directory, int signals = 1);
 
 }  // namespace quell::io

@@ -37,5 +37,7 @@ void requireFrame(const std::string& directory, const std::vector<int>& frames, 
 /// Reads 3 channels from an OpenEXR file that must have the given size.
 /// Throws Error(FileError), or Error(InvalidArgument) naming the file, the size expected and the size found.
 Image readRgbOfSize(const std::string& path, int width, int height);
+/// The same for one channel, Y.
+Image readGreyOfSize(const std::string& path, int width, int height);
 
 }  // namespace quell::io

@@ -42,17 +42,13 @@ Schedule makeSchedule(const Configuration& configuration) {
 
   std::vector<std::string> filterGuides = {"guides", "viewDepth"};
   if (configuration.frame.roughness.present()) filterGuides.push_back("roughness");
-  std::vector<std::string> demodulated = filterGuides;
-  demodulated.push_back("irradiance");
-  addStage(schedule, std::make_unique<Demodulate>(), {}, demodulated);
+  addStage(schedule, std::make_unique<Demodulate>(), {}, joinedNames({"irradiance"}, filterGuides));
   for (int i = 1; i <= iterations; ++i) {
     const double sigma = s.get("luminanceSigma") / (1 << (i - 1));
-    std::vector<std::string> reads = filterGuides;
-    reads.push_back(levelAfter(i - 1));
     addStage(schedule,
              std::make_unique<Atrous>(
                  Atrous::Setup{edgeStops(s), sigma, 1 << (i - 1), levelAfter(i - 1), levelAfter(i), "", ""}),
-             reads, {levelAfter(i)});
+             joinedNames({levelAfter(i - 1)}, filterGuides), {levelAfter(i)});
   }
   addOutputStages(schedule, configuration, levelAfter(iterations), false);
   return schedule;

@@ -11,6 +11,7 @@
 #include "host/stages/fit.hpp"
 #include "host/stages/gram_solve.hpp"
 #include "host/stages/gram_sums.hpp"
+#include "host/stages/material_guides.hpp"
 #include "host/stages/weighted_sum.hpp"
 
 namespace quell {
@@ -37,6 +38,19 @@ SettingList settings() {
        "least weight of the newest filtered frame",
        "Koskela et al. 2019, phase III",
        {}},
+      {"features",
+       Kind::Text,
+       0.0,
+       0.0,
+       0.0,
+       "",
+       "features of the fit, separated by commas: the constant 1 (implied), normal n (or nx, ny, nz), "
+       "position w, depth, "
+       "gradients g, albedo, roughness; squares w2, cubes w3, sqrt(w), products wx*ny, differences wx-wy; at "
+       "most 16 scalars",
+       "Koskela et al. 2019, section on feature buffers; Flatval 2020, table 5.3",
+       {},
+       kDefaultFeatures},
       {"noiseAmplitude",
        Kind::Real,
        0.01,
@@ -97,6 +111,22 @@ GramWindows makeWindows(const Settings& s) {
   return windows;
 }
 
+FitFeatures makeFeatures(const Configuration& configuration) {
+  const FitFeatures features(configuration.settings.text("features"));
+  const auto require = [&](bool needed, const char* image, const ImageView& view) {
+    if (!needed || view.present()) return;
+    throw Error(ErrorCode::InvalidArgument,
+                {"prepare", image, std::string("an image, since a feature is made of it"), "none"});
+  };
+  require(features.needAlbedo(), "albedo", configuration.frame.albedo);
+  require(features.needRoughness(), "roughness", configuration.frame.roughness);
+  return features;
+}
+
+void checkText(const std::string& setting, const std::string& text) {
+  if (setting == "features") FitFeatures{text};
+}
+
 Schedule makeSchedule(const Configuration& configuration) {
   const Settings& s = configuration.settings;
   if (signalCount(configuration.frame) != 1)
@@ -105,6 +135,7 @@ Schedule makeSchedule(const Configuration& configuration) {
   const auto storage = static_cast<FeatureStorage>(static_cast<int>(s.get("featureStorage")));
   const bool gram = s.text("solver") == "gram";
   const GramWindows windows = makeWindows(s);
+  const FitFeatures features = makeFeatures(configuration);
   const Size size = configuration.size();
 
   Schedule schedule;
@@ -115,10 +146,12 @@ Schedule makeSchedule(const Configuration& configuration) {
       history("filtered", Element::Float32, 3),
       transient("pixelPrev", Element::Float32, 2),
       transient("reprojectionMask", Element::UInt8, 1),
+      transient("materials", Element::Float32, QUELL_MATERIAL_PLANES),
       transient("fitted", Element::Float32, 3),
-      elements("fitRecords", gram ? gramRecordElements(windows, size) : Fit::recordElements(size)),
-      elements("gramTiles", gramTileElements(windows, size)),
-      elements("fitStorage", Fit::storageElements(size, storage)),
+      elements("fitRecords",
+               gram ? gramRecordElements(windows, size, features) : Fit::recordElements(size, features)),
+      elements("gramTiles", gramTileElements(windows, size, features)),
+      elements("fitStorage", Fit::storageElements(size, storage, features)),
   };
 
   const auto add = [&](std::unique_ptr<Stage> stage, std::vector<std::string> reads,
@@ -129,25 +162,32 @@ Schedule makeSchedule(const Configuration& configuration) {
   add(std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{s.get("noisyLeastWeight")}),
       {"irradiance.prev", "historyLength.prev", "guides.prev"},
       {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});
+  std::vector<std::string> guides = {"guides"};
+  if (features.needMaterial()) {
+    add(std::make_unique<MaterialGuides>(features),
+        {},
+        {"materials"});
+    guides.push_back("materials");
+  }
   if (gram) {
-    add(std::make_unique<GramSums>(windows),
-        {"irradiance", "guides"},
+    add(std::make_unique<GramSums>(windows, features),
+        joinedNames({"irradiance"}, guides),
         {"gramTiles"});
-    add(std::make_unique<GramSolve>(windows, s.get("noiseAmplitude")),
+    add(std::make_unique<GramSolve>(windows, s.get("noiseAmplitude"), features),
         {"gramTiles"},
         {"fitRecords"});
   } else {
-    add(std::make_unique<Fit>(s.get("noiseAmplitude"), storage),
-        {"irradiance", "guides"},
+    add(std::make_unique<Fit>(s.get("noiseAmplitude"), storage, features),
+        joinedNames({"irradiance"}, guides),
         {"fitRecords", "fitStorage"});
   }
   if (windows.overlap) {
-    add(std::make_unique<BlendedSum>(windows),
-        {"fitRecords", "guides"},
+    add(std::make_unique<BlendedSum>(windows, features),
+        joinedNames({"fitRecords"}, guides),
         {"fitted"});
   } else {
-    add(std::make_unique<WeightedSum>(),
-        {"fitRecords", "guides"},
+    add(std::make_unique<WeightedSum>(features),
+        joinedNames({"fitRecords"}, guides),
         {"fitted"});
   }
   add(std::make_unique<AccumulateFiltered>(s.get("filteredLeastWeight")),
@@ -161,8 +201,9 @@ Schedule makeSchedule(const Configuration& configuration) {
 }  // namespace
 
 Method bmfrMethod() {
-  return {"bmfr", "Blockwise Multi-Order Feature Regression (Koskela et al. 2019)", settings(), makeSchedule,
-          discardLimits};
+  return {"bmfr",        "Blockwise Multi-Order Feature Regression (Koskela et al. 2019)",
+          settings(),    makeSchedule,
+          discardLimits, checkText};
 }
 
 }  // namespace quell

@@ -88,6 +88,7 @@ SettingList atrousSettings(const SettingDescription& luminanceSigma) {
            "iterations of the a-trous filter; the last one's taps are 2^(iterations - 1) pixels apart",
            "Schied et al. 2017, section 4.3",
            {},
+           "",
            5.0},
           luminanceSigma,
           {"depthSigma",
@@ -99,6 +100,7 @@ SettingList atrousSettings(const SettingDescription& luminanceSigma) {
            "difference in view depth at which a tap's weight falls to 1/e",
            "Schied et al. 2017, section 4.4",
            {},
+           "",
            1.0},
           {"normalPower",
            Kind::Real,
@@ -109,6 +111,7 @@ SettingList atrousSettings(const SettingDescription& luminanceSigma) {
            "power of the cosine between the normals of pixel and tap",
            "Schied et al. 2017, section 4.4",
            {},
+           "",
            128.0},
           {"roughnessSigma",
            Kind::Real,
@@ -119,6 +122,7 @@ SettingList atrousSettings(const SettingDescription& luminanceSigma) {
            "difference in roughness at which a tap's weight falls to 1/e; 0: roughness does not matter",
            "not in the paper",
            {},
+           "",
            0.0}};
 }
 

@@ -17,6 +17,9 @@ struct Method {
   std::vector<SettingDescription> settings;
   std::function<Schedule(const Configuration&)> makeSchedule;
   std::function<DiscardLimits(const Settings&)> discardLimits;
+  /// Throws Error(OutOfRange) unless this text suits this setting, whose kind is Text; absent where a method
+  /// has no such setting.
+  std::function<void(const std::string& setting, const std::string& text)> checkText = {};
 };
 
 /// All methods. A new one is added in registry.cpp and nowhere else.

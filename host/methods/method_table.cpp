@@ -16,6 +16,11 @@ BufferSpec elements(const std::string& name, std::size_t count) {
   return {name, Element::Float32, 0, count, false};
 }
 
+std::vector<std::string> joinedNames(std::vector<std::string> names, const std::vector<std::string>& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
+}
+
 void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
               std::vector<std::string> writes) {
   schedule.stages.push_back({std::move(stage), std::move(reads), std::move(writes)});

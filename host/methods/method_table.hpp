@@ -15,6 +15,9 @@ BufferSpec history(const std::string& name, Element element, int planes);
 BufferSpec transient(const std::string& name, Element element, int planes);
 BufferSpec elements(const std::string& name, std::size_t count);
 
+/// `names` and then `more`.
+std::vector<std::string> joinedNames(std::vector<std::string> names, const std::vector<std::string>& more);
+
 /// Adds one line to the table.
 void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
               std::vector<std::string> writes);

@@ -21,6 +21,7 @@ SettingList settings() {
                                              "difference in luminance at which a tap's weight falls to 1/e",
                                              "Schied et al. 2017, section 4.4",
                                              {},
+                                             "",
                                              4.0};
   const SettingList accumulation = {
       {"irradianceLeastWeight",
@@ -32,6 +33,7 @@ SettingList settings() {
        "least weight of the newest sample",
        "Schied et al. 2017, section 4.1",
        {},
+       "",
        0.2},
       {"momentsLeastWeight",
        Kind::Real,
@@ -42,6 +44,7 @@ SettingList settings() {
        "least weight of the newest sample in the moments of luminance",
        "Schied et al. 2017, section 4.2",
        {},
+       "",
        0.2},
       {"feedback",
        Kind::Choice,
@@ -52,6 +55,7 @@ SettingList settings() {
        "what becomes the history: the first iteration's output or the unfiltered mean",
        "Schied et al. 2017, section 4.3 (first)",
        {"first", "none"},
+       "",
        0.0},
       {"temporalVarianceFrames",
        Kind::Integer,
@@ -62,6 +66,7 @@ SettingList settings() {
        "history length from which on the variance over time is trusted",
        "Schied et al. 2017, section 4.2",
        {},
+       "",
        4.0}};
   return joined({accumulation, atrousSettings(luminanceSigma), demodulationSettings(), discardSettings(),
                  antialiasingSettings()});
@@ -108,15 +113,12 @@ Schedule makeSchedule(const Configuration& configuration) {
 
   std::vector<std::string> filterGuides = {"guides", "viewDepth"};
   if (configuration.frame.roughness.present()) filterGuides.push_back("roughness");
-  const auto and_ = [](std::vector<std::string> names, const std::vector<std::string>& more) {
-    names.insert(names.end(), more.begin(), more.end());
-    return names;
-  };
-  addStage(schedule,
-           std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{
-               s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"), irradiancePrev, true}),
-           {irradiancePrev, "historyLength.prev", "guides.prev", "moments.prev"},
-           and_({"irradiance", "historyLength", "moments", "pixelPrev", "reprojectionMask"}, filterGuides));
+  addStage(
+      schedule,
+      std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{
+          s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"), irradiancePrev, true}),
+      {irradiancePrev, "historyLength.prev", "guides.prev", "moments.prev"},
+      joinedNames({"irradiance", "historyLength", "moments", "pixelPrev", "reprojectionMask"}, filterGuides));
   addStage(schedule, std::make_unique<Variance>(stops, static_cast<int>(s.get("temporalVarianceFrames"))),
            {"moments", "historyLength", "guides", "viewDepth"}, {"variance"});
   for (int i = 1; i <= iterations; ++i) {
@@ -126,7 +128,7 @@ Schedule makeSchedule(const Configuration& configuration) {
         schedule,
         std::make_unique<Atrous>(Atrous::Setup{stops, s.get("luminanceSigma"), 1 << (i - 1), in.irradiance,
                                                out.irradiance, in.variance, out.variance}),
-        and_({in.irradiance, in.variance}, filterGuides), {out.irradiance, out.variance});
+        joinedNames({in.irradiance, in.variance}, filterGuides), {out.irradiance, out.variance});
   }
   addOutputStages(schedule, configuration, levelAfter(iterations, fedBack).irradiance, s.isOn("taa"));
   return schedule;

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 
+#include "host/stages/fit.hpp"
+
 namespace quell {
 
 void BlendedSum::build(const KernelBuilder& builder) {
-  m_kernel = builder.build("blended_sum", "-D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge));
+  m_kernel = builder.build("blended_sum",
+                           m_features.options() + "-D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
 void BlendedSum::enqueue(FrameRun& run) {
-  const GramParams params = makeGramParams(m_windows, run.configuration.size(), run.frameIndex, 0.0);
+  GramParams params = makeGramParams(m_windows, run.configuration.size(), run.frameIndex, 0.0);
+  params.viewAxis = run.reprojection.clipW;
   const int itemWidth = std::min(run.configuration.device.lanes, m_windows.tileEdge);
   const int itemHeight = run.configuration.device.lanes / itemWidth;
   // One more cell than tiles per axis: cells lie between tile centres.
@@ -18,7 +22,8 @@ void BlendedSum::enqueue(FrameRun& run) {
     return static_cast<std::size_t>((tiles + 1) * m_windows.tileEdge / perItem);
   };
   run.launch(m_kernel, {items(params.tilesX, itemWidth), items(params.tilesY, itemHeight)}, m_workGroup,
-             run.buffer("fitRecords"), run.buffer("guides"), run.buffer("fitted"), params);
+             run.buffer("fitRecords"), run.buffer("guides"), materialsOf(run, m_features),
+             run.buffer("fitted"), params);
 }
 
 }  // namespace quell

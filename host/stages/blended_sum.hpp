@@ -8,7 +8,8 @@ namespace quell {
 /// See kernels/blended_sum.cl for what it computes, from what and after which paper.
 class BlendedSum : public Stage {
  public:
-  explicit BlendedSum(const GramWindows& windows) : m_windows(windows) {}
+  BlendedSum(const GramWindows& windows, const FitFeatures& features)
+      : m_windows(windows), m_features(features) {}
   std::string name() const override { return "blended_sum"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
@@ -16,6 +17,7 @@ class BlendedSum : public Stage {
 
  private:
   GramWindows m_windows;
+  FitFeatures m_features;
   cl::Kernel m_kernel;
   cl::NDRange m_workGroup;
 };

@@ -39,13 +39,18 @@ FitParams makeFitParams(Size size, std::uint32_t frameIndex, double noiseAmplitu
   return params;
 }
 
-std::size_t Fit::recordElements(Size size) {
-  return static_cast<std::size_t>(blockCount(size)) * QUELL_FIT_RECORD;
+const cl::Buffer& materialsOf(const FrameRun& run, const FitFeatures& features) {
+  return run.buffer(features.needMaterial() ? "materials" : "guides");
 }
 
-std::size_t Fit::storageElements(Size size, FeatureStorage storage) {
+std::size_t Fit::recordElements(Size size, const FitFeatures& features) {
+  return static_cast<std::size_t>(blockCount(size)) * static_cast<std::size_t>(features.recordSize());
+}
+
+std::size_t Fit::storageElements(Size size, FeatureStorage storage, const FitFeatures& features) {
   if (storage == FeatureStorage::Float) return 1;
-  return static_cast<std::size_t>(blockCount(size)) * QUELL_FIT_COLUMNS * QUELL_BLOCK_PIXELS / 2;
+  const auto columns = static_cast<std::size_t>(features.count() + QUELL_FIT_CHANNELS);
+  return static_cast<std::size_t>(blockCount(size)) * columns * QUELL_BLOCK_PIXELS / 2;
 }
 
 void Fit::build(const KernelBuilder& builder) {
@@ -56,7 +61,7 @@ void Fit::build(const KernelBuilder& builder) {
                          kGpuGroup / lanes);
   for (;; m_groupSize /= 2) {
     m_kernel =
-        builder.build("fit", "-D FIT_GROUP_SIZE=" + std::to_string(m_groupSize) +
+        builder.build("fit", m_features.options() + "-D FIT_GROUP_SIZE=" + std::to_string(m_groupSize) +
                                  " -D FIT_STORAGE_HALF=" + (m_storage == FeatureStorage::Half ? "1" : "0") +
                                  " -D FIT_UNROLL=" + (configuration.device.isCpu ? "0" : "1"));
     if (m_groupSize == 1 || builder.maxWorkGroup(m_kernel) >= m_groupSize) break;
@@ -65,10 +70,12 @@ void Fit::build(const KernelBuilder& builder) {
 
 void Fit::enqueue(FrameRun& run) {
   const Size size = run.configuration.size();
+  FitParams params = makeFitParams(size, run.frameIndex, m_noiseAmplitude);
+  params.viewAxis = run.reprojection.clipW;
   const std::size_t items = static_cast<std::size_t>(blockCount(size)) * m_groupSize;
   run.launch(m_kernel, {items, 1}, cl::NDRange(m_groupSize, 1), run.buffer("irradiance"),
-             run.buffer("guides"), run.buffer("fitRecords"), run.buffer("fitStorage"),
-             makeFitParams(size, run.frameIndex, m_noiseAmplitude));
+             run.buffer("guides"), materialsOf(run, m_features), run.buffer("fitRecords"),
+             run.buffer("fitStorage"), params);
 }
 
 }  // namespace quell

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/core/stage.hpp"
+#include "host/stages/fit_features.hpp"
 #include "kernels/fit_params.h"
 
 namespace quell {
@@ -18,23 +19,28 @@ int blockCount(Size size);
 /// The displaced block grid of one frame. Koskela et al. 2019, phase III: "displaced with random offsets".
 FitParams makeFitParams(Size size, std::uint32_t frameIndex, double noiseAmplitude);
 
+/// Buffer behind the materials of a fit: the guides stand in where no feature needs any.
+const cl::Buffer& materialsOf(const FrameRun& run, const FitFeatures& features);
+
 /// See kernels/fit.cl for what it computes, from what and after which paper.
 class Fit : public Stage {
  public:
   /// `noiseAmplitude`: epsilon of the stochastic regularisation, scaled feature units, >= 0.
-  Fit(double noiseAmplitude, FeatureStorage storage) : m_noiseAmplitude(noiseAmplitude), m_storage(storage) {}
+  Fit(double noiseAmplitude, FeatureStorage storage, const FitFeatures& features)
+      : m_noiseAmplitude(noiseAmplitude), m_storage(storage), m_features(features) {}
   std::string name() const override { return "fit"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
   std::uint64_t callerBytes(const Configuration&) const override { return 0; }
 
   /// Elements of the buffer "fitRecords", and of "fitStorage" (floats holding two halves each; 1 if unused).
-  static std::size_t recordElements(Size size);
-  static std::size_t storageElements(Size size, FeatureStorage storage);
+  static std::size_t recordElements(Size size, const FitFeatures& features);
+  static std::size_t storageElements(Size size, FeatureStorage storage, const FitFeatures& features);
 
  private:
   double m_noiseAmplitude;
   FeatureStorage m_storage;
+  FitFeatures m_features;
   std::size_t m_groupSize = 1;
   cl::Kernel m_kernel;
 };

@@ -11,7 +11,8 @@ constexpr std::size_t kGpuGroup = 64;
 }  // namespace
 
 void GramSolve::build(const KernelBuilder& builder) {
-  m_kernel = builder.build("gram_solve", std::string("-D GRAM_OVERLAP=") + (m_windows.overlap ? "1" : "0"));
+  m_kernel = builder.build("gram_solve", m_features.gramOptions(m_windows.overlap) +
+                                             "-D GRAM_OVERLAP=" + (m_windows.overlap ? "1" : "0"));
   m_groupSize =
       builder.configuration().device.lanes > 1 ? 1 : std::min(kGpuGroup, builder.maxWorkGroup(m_kernel));
 }

@@ -9,8 +9,8 @@ namespace quell {
 class GramSolve : public Stage {
  public:
   /// `noiseAmplitude`: see makeGramParams.
-  GramSolve(const GramWindows& windows, double noiseAmplitude)
-      : m_windows(windows), m_noiseAmplitude(noiseAmplitude) {}
+  GramSolve(const GramWindows& windows, double noiseAmplitude, const FitFeatures& features)
+      : m_windows(windows), m_noiseAmplitude(noiseAmplitude), m_features(features) {}
   std::string name() const override { return "gram_solve"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
@@ -19,6 +19,7 @@ class GramSolve : public Stage {
  private:
   GramWindows m_windows;
   double m_noiseAmplitude;
+  FitFeatures m_features;
   cl::Kernel m_kernel;
   std::size_t m_groupSize = 1;
 };

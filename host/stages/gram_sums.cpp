@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host/stages/fit.hpp"
+
 namespace quell {
 namespace {
 
@@ -16,7 +18,8 @@ void GramSums::build(const KernelBuilder& builder) {
   m_groupSize =
       configuration.device.lanes > 1 ? 1 : builder.groupSize(configuration.options.fitGroup, kGpuGroup);
   for (;; m_groupSize /= 2) {
-    m_kernel = builder.build("gram_sums", "-D GRAM_GROUP_SIZE=" + std::to_string(m_groupSize) +
+    m_kernel = builder.build("gram_sums", m_features.gramOptions(m_windows.overlap) +
+                                              "-D GRAM_GROUP_SIZE=" + std::to_string(m_groupSize) +
                                               " -D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge) +
                                               " -D GRAM_MIRROR=" + (m_windows.overlap ? "0" : "1"));
     if (m_groupSize == 1 || builder.maxWorkGroup(m_kernel) >= m_groupSize) break;
@@ -24,10 +27,11 @@ void GramSums::build(const KernelBuilder& builder) {
 }
 
 void GramSums::enqueue(FrameRun& run) {
-  const GramParams params = makeGramParams(m_windows, run.configuration.size(), run.frameIndex, 0.0);
+  GramParams params = makeGramParams(m_windows, run.configuration.size(), run.frameIndex, 0.0);
+  params.viewAxis = run.reprojection.clipW;
   const std::size_t tiles = static_cast<std::size_t>(params.tilesX) * static_cast<std::size_t>(params.tilesY);
   run.launch(m_kernel, {tiles * m_groupSize, 1}, cl::NDRange(m_groupSize, 1), run.buffer("irradiance"),
-             run.buffer("guides"), run.buffer("gramTiles"), params);
+             run.buffer("guides"), materialsOf(run, m_features), run.buffer("gramTiles"), params);
 }
 
 }  // namespace quell

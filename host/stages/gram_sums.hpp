@@ -8,7 +8,8 @@ namespace quell {
 /// See kernels/gram_sums.cl for what it computes, from what and after which paper.
 class GramSums : public Stage {
  public:
-  explicit GramSums(const GramWindows& windows) : m_windows(windows) {}
+  GramSums(const GramWindows& windows, const FitFeatures& features)
+      : m_windows(windows), m_features(features) {}
   std::string name() const override { return "gram_sums"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
@@ -16,6 +17,7 @@ class GramSums : public Stage {
 
  private:
   GramWindows m_windows;
+  FitFeatures m_features;
   std::size_t m_groupSize = 1;
   cl::Kernel m_kernel;
 };

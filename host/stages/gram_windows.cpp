@@ -27,12 +27,14 @@ GramParams makeGramParams(const GramWindows& windows, Size size, std::uint32_t f
   return params;
 }
 
-std::size_t gramTileElements(const GramWindows& windows, Size size) {
-  return static_cast<std::size_t>(tileCount(makeGramParams(windows, size, 0, 0.0))) * QUELL_GRAM_PLANES;
+std::size_t gramTileElements(const GramWindows& windows, Size size, const FitFeatures& features) {
+  return static_cast<std::size_t>(tileCount(makeGramParams(windows, size, 0, 0.0))) *
+         static_cast<std::size_t>(features.gramPlanes(windows.overlap));
 }
 
-std::size_t gramRecordElements(const GramWindows& windows, Size size) {
-  return static_cast<std::size_t>(tileCount(makeGramParams(windows, size, 0, 0.0))) * QUELL_FIT_RECORD;
+std::size_t gramRecordElements(const GramWindows& windows, Size size, const FitFeatures& features) {
+  return static_cast<std::size_t>(tileCount(makeGramParams(windows, size, 0, 0.0))) *
+         static_cast<std::size_t>(features.recordSize());
 }
 
 }  // namespace quell

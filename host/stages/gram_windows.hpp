@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/core/stage.hpp"
+#include "host/stages/fit_features.hpp"
 #include "kernels/gram_params.h"
 
 namespace quell {
@@ -20,7 +21,7 @@ GramParams makeGramParams(const GramWindows& windows, Size size, std::uint32_t f
                           double noiseAmplitude);
 
 /// Elements of the buffers "gramTiles" and "fitRecords".
-std::size_t gramTileElements(const GramWindows& windows, Size size);
-std::size_t gramRecordElements(const GramWindows& windows, Size size);
+std::size_t gramTileElements(const GramWindows& windows, Size size, const FitFeatures& features);
+std::size_t gramRecordElements(const GramWindows& windows, Size size, const FitFeatures& features);
 
 }  // namespace quell

@@ -2,19 +2,21 @@
 #pragma once
 
 #include "host/core/stage.hpp"
-#include "kernels/fit_params.h"
+#include "host/stages/fit_features.hpp"
 
 namespace quell {
 
 /// See kernels/weighted_sum.cl for what it computes, from what and after which paper.
 class WeightedSum : public Stage {
  public:
+  explicit WeightedSum(const FitFeatures& features) : m_features(features) {}
   std::string name() const override { return "weighted_sum"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
   std::uint64_t callerBytes(const Configuration& configuration) const override;
 
  private:
+  FitFeatures m_features;
   cl::Kernel m_kernel;
   cl::NDRange m_workGroup;
 };

@@ -224,7 +224,7 @@ class BlockFitter::Implementation {
 
   void enqueueHouseholder(StressRun& run, std::uint32_t noiseSeed) {
     run.launch(m_fit.kernel, {m_blocks * m_fit.group, 1}, cl::NDRange(m_fit.group, 1),
-               run.buffer("irradiance"), run.buffer("guides"), run.buffer("fitRecords"),
+               run.buffer("irradiance"), run.buffer("guides"), run.buffer("guides"), run.buffer("fitRecords"),
                run.buffer("fitStorage"), makeParams(m_blocks, noiseSeed, m_noiseAmplitude));
   }
 
@@ -232,7 +232,8 @@ class BlockFitter::Implementation {
     const GramParams params = makeParams(m_blocks, m_noiseAmplitude);
     const auto solvedAtOnce = static_cast<std::size_t>(lanes());
     run.launch(m_gramSums.kernel, {m_blocks * m_gramSums.group, 1}, cl::NDRange(m_gramSums.group, 1),
-               run.buffer("irradiance"), run.buffer("guides"), run.buffer("gramTiles"), params);
+               run.buffer("irradiance"), run.buffer("guides"), run.buffer("guides"), run.buffer("gramTiles"),
+               params);
     run.launch(m_gramSolve, {(m_blocks + solvedAtOnce - 1) / solvedAtOnce, 1}, cl::NDRange(1, 1),
                run.buffer("gramTiles"), run.buffer("fitRecords"), params);
   }
@@ -240,8 +241,8 @@ class BlockFitter::Implementation {
   /// Predicts every pixel from the records that were enqueued last; blocks.
   std::vector<BlockFit> synthesize(StressRun& run) {
     run.launch(m_weightedSum, {static_cast<std::size_t>(kBlockEdge / lanes()), m_blocks * kBlockEdge},
-               cl::NDRange(1, 1), run.buffer("fitRecords"), run.buffer("guides"), run.buffer("fitted"),
-               makeParams(m_blocks, 0, 0.0));
+               cl::NDRange(1, 1), run.buffer("fitRecords"), run.buffer("guides"), run.buffer("guides"),
+               run.buffer("fitted"), makeParams(m_blocks, 0, 0.0));
     std::vector<BlockFit> fits(m_blocks);
     const std::vector<float> records = download("fitRecords", m_blocks * QUELL_FIT_RECORD);
     const std::vector<float> fitted = downloadPlanes("fitted", 3);

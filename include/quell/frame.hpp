@@ -36,7 +36,8 @@ struct Frame {
   /// emission) / (albedo + gloss colour), with two (radiance - emission) / albedo and glossyRadiance / gloss
   /// colour; a factor that is not given is 1.
   ImageView glossColor;
-  /// Roughness, 0 to 1, 1 channel; the alpha of GGX is its square. Optional: edges where it changes are kept.
+  /// Roughness of the glossy lobe, 0 (mirror) to 1, 1 channel, optional; the alpha of GGX is its square. Read by
+  /// edge stops (setting `roughnessSigma`) and by features that are made of it (setting `features` of bmfr).
   ImageView roughness;
   /// Emitted radiance and visible sky, linear, added back unfiltered; optional.
   ImageView emission;

@@ -7,7 +7,13 @@
 
 namespace quell {
 
-enum class SettingKind { Real, Integer, Boolean, Choice };
+enum class SettingKind {
+  Real,
+  Integer,
+  Boolean,
+  Choice,
+  Text,  ///< in a form that `description` explains; has no number
+};
 
 /// What a setting means and which values it takes.
 struct SettingDescription {
@@ -20,7 +26,8 @@ struct SettingDescription {
   std::string description;
   std::string source;                ///< paper and section, or how the default was found
   std::vector<std::string> choices;  ///< for Choice only
-  std::optional<double> paper = {};  ///< the value of the method's paper, where it has this setting
+  std::string defaultText = "";      ///< for Text only
+  std::optional<double> paper = {};  ///< the value of the method's paper, where the default may differ
 };
 
 /// Values of the settings of one method; starts at the defaults.
@@ -32,16 +39,16 @@ class Settings {
   const std::string& method() const { return m_method; }
 
   /// Throws Error(UnknownSetting) for an unknown name and Error(OutOfRange) for a value that is out of range,
-  /// not finite, or not a whole number where one is needed.
+  /// not finite, or not a whole number where one is needed, or for a setting of kind Text.
   void set(const std::string& name, double value);
-  /// Accepts numbers, on/off/true/false for switches and the names of choices. Throws as above.
+  /// Accepts numbers, on/off/true/false for switches, the names of choices, and texts. Throws as above.
   void set(const std::string& name, const std::string& text);
 
   /// Sets what `preset` has a value for: "default" everything, "paper" the values of the method's paper. Throws
   /// Error(UnknownSetting) for another name.
   void usePreset(const std::string& preset);
 
-  double get(const std::string& name) const;        ///< throws Error(UnknownSetting)
+  double get(const std::string& name) const;        ///< throws Error(UnknownSetting); 0 for Text
   bool isOn(const std::string& name) const;         ///< get() != 0
   std::string text(const std::string& name) const;  ///< the value as set(name, text) takes it
   const std::vector<SettingDescription>& descriptions() const;
@@ -50,7 +57,11 @@ class Settings {
   std::size_t indexOf(const std::string& name) const;
 
   std::string m_method;
-  std::vector<double> m_values;  // in the order of descriptions()
+  struct Value {
+    double number = 0.0;
+    std::string text;  // for Text only
+  };
+  std::vector<Value> m_values;  // in the order of descriptions()
 };
 
 std::vector<std::string> methodNames();

@@ -61,30 +61,48 @@ QUELL_INLINE float minOfLanes(floatL v) {
 #endif
 }
 
-// Scaling of a set of positions from its range: w = (position - anchor) * scale lies in [0, 1]. A range that is
-// rounding noise next to the view distance is divided by the distance instead, which leaves it below 1e-4 and drowned
-// by the injected noise. An empty set (low > high) gets anchor 0 and scale 1. Once for one set and once for a set per
-// lane.
-#define DEFINE_SCALE_POSITIONS(function, type)                                               \
-  QUELL_INLINE void function(const type* low, const type* high, type* anchor, type* scale) { \
-    type centreSquared = (type)(0.0f);                                                       \
-    for (int axis = 0; axis < 3; ++axis) {                                                   \
-      const type centre = 0.5f * low[axis] + 0.5f * high[axis];                              \
-      anchor[axis] = low[axis] > high[axis] ? (type)(0.0f) : low[axis];                      \
-      scale[axis] = low[axis] > high[axis] ? (type)(0.0f) : high[axis] - low[axis];          \
-      centreSquared += low[axis] > high[axis] ? (type)(0.0f) : centre * centre;              \
-    }                                                                                        \
-    const type distance = sqrt(centreSquared);                                               \
-    const type least = QUELL_FIT_LEAST_RANGE * distance;                                     \
-    const type otherwise = distance > 0.0f ? distance : (type)(1.0f);                        \
-    for (int axis = 0; axis < 3; ++axis)                                                     \
-      scale[axis] = 1.0f / (scale[axis] > least ? scale[axis] : otherwise);                  \
+// Scaling of a set of pixels from the ranges of its variables: (v - anchor) * scale lies in [0, 1]. A range that is
+// rounding noise next to the view distance (SIZE: of this variable, in its unit) is divided by the distance instead,
+// which leaves it below 1e-4 and drowned by the injected noise. An empty set (low > high) gets anchor 0 and scale 1.
+// Once for one set and once for a set per lane.
+#define QUELL_SCALED_SLOTS (QUELL_SCALED > 0 ? QUELL_SCALED : 1)
+#ifndef QUELL_SIZE_LIST
+#define QUELL_SIZE_LIST
+#endif
+#define SIZE(k, size)                                                         \
+  {                                                                           \
+    const RANGE_TYPE least = QUELL_FIT_LEAST_RANGE * (size);                  \
+    const RANGE_TYPE otherwise = (size) > 0.0f ? (size) : (RANGE_TYPE)(1.0f); \
+    anchor[k] = low[k] > high[k] ? (RANGE_TYPE)(0.0f) : low[k];               \
+    scale[k] = low[k] > high[k] ? (RANGE_TYPE)(0.0f) : high[k] - low[k];      \
+    scale[k] = 1.0f / (scale[k] > least ? scale[k] : otherwise);              \
   }
-DEFINE_SCALE_POSITIONS(scalePositions, float)
-#if QUELL_LANES > 1
-DEFINE_SCALE_POSITIONS(scalePositionsLanes, floatL)
+#if QUELL_SCALED_POSITIONS
+#define SCALE_POSITIONS                                                             \
+  RANGE_TYPE centreSquared = (RANGE_TYPE)(0.0f);                                    \
+  for (int axis = 0; axis < 3; ++axis) {                                            \
+    const RANGE_TYPE centre = 0.5f * low[axis] + 0.5f * high[axis];                 \
+    centreSquared += low[axis] > high[axis] ? (RANGE_TYPE)(0.0f) : centre * centre; \
+  }                                                                                 \
+  const RANGE_TYPE distance = sqrt(centreSquared);                                  \
+  for (int axis = 0; axis < 3; ++axis) SIZE(axis, distance)
 #else
-#define scalePositionsLanes scalePositions
+#define SCALE_POSITIONS
+#endif
+
+#define RANGE_TYPE float
+QUELL_INLINE void scaleRanges(const float* low, const float* high, float* anchor,
+                              float* scale){SCALE_POSITIONS QUELL_SIZE_LIST}
+#undef RANGE_TYPE
+#if QUELL_LANES > 1
+#define RANGE_TYPE floatL
+QUELL_INLINE void scaleRangesLanes(const floatL* low, const floatL* high, floatL* anchor, floatL* scale) {
+  SCALE_POSITIONS
+  QUELL_SIZE_LIST
+}
+#undef RANGE_TYPE
+#else
+#define scaleRangesLanes scaleRanges
 #endif
 
 #endif

@@ -5,6 +5,7 @@
 #include <quell/devices.hpp>
 #include <stdexcept>
 
+#include "host/core/frame_images.hpp"
 #include "host/methods/method.hpp"
 #include "tests/support/image_layout.hpp"
 
@@ -65,15 +66,8 @@ TestDevice openDevice() {
 }
 
 std::string imageName(const ImageView Frame::*image) {
-  static const std::pair<ImageView Frame::*, const char*> names[] = {{&Frame::radiance, "radiance"},
-                                                                     {&Frame::normalWorld, "normalWorld"},
-                                                                     {&Frame::positionWorld, "positionWorld"},
-                                                                     {&Frame::viewDepth, "viewDepth"},
-                                                                     {&Frame::albedo, "albedo"},
-                                                                     {&Frame::glossColor, "glossColor"},
-                                                                     {&Frame::emission, "emission"}};
-  for (const auto& [member, name] : names)
-    if (member == image) return name;
+  for (const FrameImage& known : kFrameImages)
+    if (known.view == image) return known.name;
   throw std::logic_error("not an image of a frame");
 }
 

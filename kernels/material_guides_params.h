@@ -1,0 +1,17 @@
+// Parameters of the stage material_guides.
+#ifndef QUELL_MATERIAL_GUIDES_PARAMS_H
+#define QUELL_MATERIAL_GUIDES_PARAMS_H
+
+#include "common/types.h"
+
+QUELL_NAMESPACE_BEGIN
+
+typedef struct MaterialGuidesParams {
+  PlaneParams planes;
+  ImageViewParams albedo;
+  ImageViewParams roughness;
+} MaterialGuidesParams;
+
+QUELL_NAMESPACE_END
+
+#endif
