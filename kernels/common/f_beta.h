@@ -62,4 +62,21 @@ QUELL_INLINE float3L fBeta3(FBeta terms, float3L f0) {
   return f0;
 }
 
+// |cos| of the angle between two vectors of any length whose squares neither overflow nor vanish (1e-18 to 1e18); 0 if
+// one of them is 0, NaN if one is not finite.
+QUELL_INLINE floatL absCosine(float3L a, float3L b) {
+  const floatL lengthSquared = dot3(a, a) * dot3(b, b);
+  const floatL cosine = absLanes(dot3(a, b)) / SQRT(lengthSquared);
+  return lengthSquared > 0.0f ? cosine : ZERO_LANES;
+}
+
+// F_beta of what a pixel shows; times the gloss colour it is the factor of the glossy signal (Zhuang et al. 2021,
+// eq. (8)). Takes the camera-relative position (or any vector along the view ray, as an orthographic camera needs it),
+// the shading normal (both sides of a surface are alike), roughness in [0, 1] and F0 in [0, 1] (1 if not known).
+// In [0, 1] and finite if F0 is, see lookUpFBeta() for broken inputs.
+QUELL_INLINE float3L surfaceFBeta3(__global const float4* table, float3L position, float3L normal,
+                                   floatL roughness, float3L f0) {
+  return fBeta3(lookUpFBeta(table, absCosine(position, normal), roughness), f0);
+}
+
 #endif

@@ -134,4 +134,9 @@ FBetaTerms fBetaBruteForce(const GgxSurface& surface, double cosOut, int steps) 
   return sum;
 }
 
+double absCosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const double lengths = a.norm() * b.norm();
+  return lengths > 0.0 ? std::min(std::abs(a.dot(b)) / lengths, 1.0) : 0.0;
+}
+
 }  // namespace quell::tests

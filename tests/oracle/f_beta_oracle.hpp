@@ -1,6 +1,8 @@
 // Double-precision oracle of the F_beta table: the BRDF itself, and its integral over all incident directions.
 #pragma once
 
+#include <Eigen/Core>
+
 namespace quell::tests {
 
 /// The two terms of F_beta = F0 * scale + bias; both in [0, 1].
@@ -31,5 +33,8 @@ FBetaTerms fBetaOracle(const GgxSurface& surface, double cosOut, int order = kFB
 /// Same integral by a different route, brute force: midpoints of theta_i and phi over the hemisphere. Of use for
 /// smooth surfaces only (roughness 0.5 and more); it checks the oracle.
 FBetaTerms fBetaBruteForce(const GgxSurface& surface, double cosOut, int steps);
+
+/// |cos| of the angle between two vectors; 0 if one of them is 0.
+double absCosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 }  // namespace quell::tests
