@@ -7,7 +7,7 @@
 
 namespace quell {
 
-/// Smith's masking-shadowing of the BRDF that is integrated. They differ by up to 0.37 near grazing.
+/// Smith's masking-shadowing of the BRDF that is integrated. They differ by up to 0.39 at grazing angles.
 enum class Shadowing {
   Separable,        ///< G1(o) G1(i)
   HeightCorrelated  ///< 1 / (1 + Lambda(o) + Lambda(i))

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/core/f_beta_table.hpp"
@@ -61,5 +63,11 @@ class FBetaTexels {
   FBetaTable m_table;
   std::vector<float> m_values;
 };
+
+/// One table for all tests of a process: with one lane it takes seconds on a CPU.
+inline const FBetaTexels& sharedFBetaTexels(Mapping mapping, Shadowing shadowing) {
+  static std::map<std::pair<Mapping, Shadowing>, FBetaTexels> tables;
+  return tables.try_emplace({mapping, shadowing}, mapping, shadowing).first->second;
+}
 
 }  // namespace quell::tests
