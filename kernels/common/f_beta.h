@@ -63,7 +63,7 @@ QUELL_INLINE float3L fBeta3(FBeta terms, float3L f0) {
 }
 
 // |cos| of the angle between two vectors of any length whose squares neither overflow nor vanish (1e-18 to 1e18); 0 if
-// one of them is 0, NaN if one is not finite.
+// one of them is 0, 0 or NaN if one is not finite.
 QUELL_INLINE floatL absCosine(float3L a, float3L b) {
   const floatL lengthSquared = dot3(a, a) * dot3(b, b);
   const floatL cosine = absLanes(dot3(a, b)) / SQRT(lengthSquared);
