@@ -10,6 +10,7 @@ void addDenoiseCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
+void addSelectFeaturesCommand(CLI::App& app);
 void addStressCommand(CLI::App& app);
 
 }  // namespace quell::cli

@@ -30,6 +30,7 @@ struct DenoiseOptions {
   std::string frames;
   std::string size = "1280x720";
   std::string taa;
+  std::string features;
   std::string timers = "device";
   std::string json;
   std::vector<std::string> settings;
@@ -66,6 +67,7 @@ std::vector<int> chooseFrames(const DenoiseOptions& options, const io::FrameSequ
 Settings makeSettings(const DenoiseOptions& options, const io::FrameSequence& sequence) {
   Settings settings = defaultSettings(options.method, sequence);
   if (!options.taa.empty()) settings.set("taa", options.taa);
+  if (!options.features.empty()) settings.set("features", options.features);
   for (const std::string& assignment : options.settings) {
     const auto [name, value] = parseAssignment(kCommand, "--set", assignment);
     settings.set(name, value);
@@ -140,6 +142,7 @@ void addDenoiseCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--taa", options->taa, "Temporal antialiasing of the display image")
       ->check(CLI::IsMember({"on", "off"}));
+  command->add_option("--features", options->features, "Features of the fit, short for --set features=...");
   command->add_option("--set", options->settings, "A setting of the method, name=value; may be repeated");
   command->add_option("--timers", options->timers, "Where stage times come from")
       ->check(CLI::IsMember({"device", "host", "off"}))

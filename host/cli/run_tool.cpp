@@ -17,6 +17,7 @@ int runTool(int argc, const char* const* argv) {
   addCompareCommand(app);
   addBenchCommand(app);
   addDevicesCommand(app);
+  addSelectFeaturesCommand(app);
   addStressCommand(app);
   try {
     app.parse(argc, argv);
