@@ -137,6 +137,7 @@ QUELL_INLINE void groupSum(__local floatL* exchange, int id, floatL* values, int
 #endif
 }
 
+#if QUELL_SCALED > 0
 QUELL_INLINE void groupMin(__local floatL* exchange, int id, floatL* values, int count) {
 #if FIT_GROUP_SIZE > 1
   UNROLL
@@ -156,6 +157,7 @@ QUELL_INLINE void groupMin(__local floatL* exchange, int id, floatL* values, int
   GROUP_BARRIER;
 #endif
 }
+#endif
 
 __kernel
 #if FIT_GROUP_SIZE > 1
