@@ -36,7 +36,7 @@ GramMatrix changeOfScaling(const FitRecord& from, const FitRecord& to) {
         std::vector<std::string> more = factors;
         more.insert(std::upper_bound(more.begin(), more.end(), factor), factor);
         longer[more] += r * value;
-        if (scaled) longer[factors] += t * value;
+        if (t != 0.0) longer[factors] += t * value;
       }
       terms = longer;
     }
