@@ -226,10 +226,8 @@ __kernel
     const GatherPlan plan = planBlockRow(params.planes, row, blockX, blockY);
     const floatL rootWeight = SQRT(gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan));
     const Guide guide = gatherGuide(guides, materials, params.planes, plan);
-    floatL scaled[QUELL_SCALED_SLOTS];
-    makeScaled(scaled, guide, params.viewAxis);
     floatL features[QUELL_FEATURES];
-    makeFeatures(features, guide, scaled, anchor, scale);
+    makeFeatures(features, guide, params.viewAxis, anchor, scale);
     UNROLL
     for (int k = 0; k < QUELL_FEATURES; ++k) {
       const uintL counter = AS_UINT((intL)(row + k * QUELL_BLOCK_PIXELS) + LANE_INDEX) ^ blockSeed;

@@ -76,9 +76,7 @@ QUELL_INLINE void includeRange(Inputs inputs, GatherPlan plan, floatL weight, fl
 QUELL_INLINE void makeColumns(Inputs inputs, GatherPlan plan, floatL weight, const float* anchor,
                               const float* scale, floatL* columns) {
   const Guide guide = gatherGuide(inputs.guides, inputs.materials, inputs.planes, plan);
-  floatL scaled[QUELL_SCALED_SLOTS];
-  makeScaled(scaled, guide, inputs.viewAxis);
-  makeFeatures(columns, guide, scaled, anchor, scale);
+  makeFeatures(columns, guide, inputs.viewAxis, anchor, scale);
   const float3L color = gatherLanes3(inputs.irradiance, plan, inputs.planes.stride);
   columns[QUELL_GRAM_FEATURES] = color.x;
   columns[QUELL_GRAM_FEATURES + 1] = color.y;

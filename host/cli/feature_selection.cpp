@@ -47,13 +47,14 @@ LoadedSequence load(const std::string& directory) {
   return loaded;
 }
 
-// The table of Flatval 2020 by groups, and what the inputs have images for.
+// The table of Flatval 2020 by groups, without the nine products w*n (all at once they are half of a list), and what
+// the inputs have images for.
 std::string defaultPool(const std::vector<LoadedSequence>& sequences) {
   const auto all = [&](const io::Image io::FrameData::*image) {
     return std::all_of(sequences.begin(), sequences.end(),
                        [&](const LoadedSequence& loaded) { return !(loaded.frames.front().*image).empty(); });
   };
-  std::string pool = "n,n2,n3,sqrt(n),w,w2,w3,sqrt(w),w*n,w*w,depth,g";
+  std::string pool = "n,n2,n3,sqrt(n),w,w2,w3,sqrt(w),w*w,depth,g";
   if (all(&io::FrameData::albedo)) pool += ",albedo";
   if (all(&io::FrameData::roughness)) pool += ",roughness";
   return pool;

@@ -46,7 +46,7 @@ void addSelectFeaturesCommand(CLI::App& app) {
   command->add_option(
       "--pool", selection.pool,
       "Features to choose from, as in the setting features; groups are added whole. Default: powers "
-      "and roots of n and w, their products, depth, gradients, and albedo and roughness where all "
+      "and roots of n and w, products of positions, depth, gradients, and albedo and roughness where all "
       "sequences have them");
   command->add_option("--start", selection.start, "Features to start from")->capture_default_str();
   command->add_flag("--components", selection.components, "Add the components of groups one by one");
