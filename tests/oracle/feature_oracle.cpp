@@ -109,7 +109,7 @@ FitRecord unpackRecord(const Planes& records, int block, const FeatureNames& lis
   for (int j = 0; j < list.count(); ++j)
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
       record.coefficients(j, c) = values[j * QUELL_FIT_CHANNELS + c];
-  record.usable = values[QUELL_FIT_USABLE_OF(list.count())] != 0.0f;
+  record.usable = values[QUELL_FIT_USABLE_OF(list.count(), int(list.scaled.size()))] != 0.0f;
   const std::size_t first = std::size_t(QUELL_FIT_ANCHOR_OF(list.count()));
   for (std::size_t i = 0; i < list.scaled.size(); ++i) {
     record.anchor[i] = values[first + i];
@@ -127,7 +127,8 @@ Planes packRecords(const std::vector<FitRecord>& records) {
     for (int j = 0; j < record.list.count(); ++j)
       for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
         values[j * QUELL_FIT_CHANNELS + c] = float(record.coefficients(j, c));
-    values[QUELL_FIT_USABLE_OF(record.list.count())] = record.usable ? 1.0f : 0.0f;
+    values[QUELL_FIT_USABLE_OF(record.list.count(), int(record.list.scaled.size()))] =
+        record.usable ? 1.0f : 0.0f;
     float* scaling = values + QUELL_FIT_ANCHOR_OF(record.list.count());
     for (std::size_t i = 0; i < record.anchor.size(); ++i) {
       scaling[i] = float(record.anchor[i]);

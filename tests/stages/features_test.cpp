@@ -36,7 +36,7 @@ template <class Check>
 void forEachList(const Check& check) {
   for (const char* list : kLists) {
     for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-      for (const Size size : {Size{7, 93}, Size{61, 43}}) {
+      for (const Size size : {Size{7, 33}, Size{61, 43}}) {
         INFO(list);
         check(makeOptions(list, size, mapping));
       }
@@ -79,7 +79,7 @@ TEST_CASE("fit without noise leaves dependent features of a list out") {
 }
 
 TEST_CASE("gram_sums agrees with its oracle for lists of features") {
-  for (const GramWindows& windows : {kBlocks, kOverlap8, kOverlap16}) {
+  for (const GramWindows& windows : {kBlocks, kOverlap8}) {
     forEachList([&](const CaseOptions& options) {
       GramSumsCase sums(options, windows);
       checkWithin(sums, options, 2.0 * kGramSumTolerance);
@@ -88,7 +88,7 @@ TEST_CASE("gram_sums agrees with its oracle for lists of features") {
 }
 
 TEST_CASE("gram_solve agrees with its oracle for lists of features") {
-  for (const GramWindows& windows : {kBlocks, kOverlap8, kOverlap16}) {
+  for (const GramWindows& windows : {kBlocks, kOverlap8}) {
     forEachList([&](const CaseOptions& options) {
       GramSolveCase solve(options, windows);
       checkWithin(solve, options, kGramSolveTolerance);
@@ -103,10 +103,8 @@ TEST_CASE("weighted_sum and blended_sum agree with their oracles for lists of fe
   forEachList([](const CaseOptions& options) {
     WeightedSumCase weighted(options);
     checkWithin(weighted, options, kWeightedSumTolerance);
-    for (const GramWindows& windows : {kOverlap8, kOverlap16}) {
-      BlendedSumCase blended(options, windows);
-      checkWithin(blended, options, kBlendedSumTolerance);
-    }
+    BlendedSumCase blended(options);
+    checkWithin(blended, options, kBlendedSumTolerance);
   });
 }
 
