@@ -62,9 +62,11 @@ QUELL_INLINE History normaliseHistory(History history) {
   return history;
 }
 
+#if MOMENTS
 QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
   return newest * weight + history * (1.0f - weight);
 }
+#endif
 
 // Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
 // as a filter tap. The pointers are those of the signal, moved to the pixel.

@@ -137,6 +137,7 @@ QUELL_INLINE void groupSum(__local floatL* exchange, int id, floatL* values, int
 #endif
 }
 
+#if QUELL_SCALED > 0
 QUELL_INLINE void groupMin(__local floatL* exchange, int id, floatL* values, int count) {
 #if FIT_GROUP_SIZE > 1
   UNROLL
@@ -156,6 +157,7 @@ QUELL_INLINE void groupMin(__local floatL* exchange, int id, floatL* values, int
   GROUP_BARRIER;
 #endif
 }
+#endif
 
 __kernel
 #if FIT_GROUP_SIZE > 1
@@ -224,10 +226,8 @@ __kernel
     const GatherPlan plan = planBlockRow(params.planes, row, blockX, blockY);
     const floatL rootWeight = SQRT(gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan));
     const Guide guide = gatherGuide(guides, materials, params.planes, plan);
-    floatL scaled[QUELL_SCALED_SLOTS];
-    makeScaled(scaled, guide, params.viewAxis);
     floatL features[QUELL_FEATURES];
-    makeFeatures(features, guide, scaled, anchor, scale);
+    makeFeatures(features, guide, params.viewAxis, anchor, scale);
     UNROLL
     for (int k = 0; k < QUELL_FEATURES; ++k) {
       const uintL counter = AS_UINT((intL)(row + k * QUELL_BLOCK_PIXELS) + LANE_INDEX) ^ blockSeed;

@@ -59,6 +59,7 @@ typedef struct Inputs {
   float4 viewAxis;
 } Inputs;
 
+#if QUELL_SCALED > 0
 // Lowers `bounds` to the minima of the unbounded variables v, and of -v, over the pixels with a weight.
 QUELL_INLINE void includeRange(Inputs inputs, GatherPlan plan, floatL weight, floatL* bounds) {
   floatL scaled[QUELL_SCALED_SLOTS];
@@ -69,14 +70,13 @@ QUELL_INLINE void includeRange(Inputs inputs, GatherPlan plan, floatL weight, fl
     bounds[k + QUELL_SCALED] = weight > 0.0f && -v < bounds[k + QUELL_SCALED] ? -v : bounds[k + QUELL_SCALED];
   }
 }
+#endif
 
 // Weighted row of [features | colour].
 QUELL_INLINE void makeColumns(Inputs inputs, GatherPlan plan, floatL weight, const float* anchor,
                               const float* scale, floatL* columns) {
   const Guide guide = gatherGuide(inputs.guides, inputs.materials, inputs.planes, plan);
-  floatL scaled[QUELL_SCALED_SLOTS];
-  makeScaled(scaled, guide, inputs.viewAxis);
-  makeFeatures(columns, guide, scaled, anchor, scale);
+  makeFeatures(columns, guide, inputs.viewAxis, anchor, scale);
   const float3L color = gatherLanes3(inputs.irradiance, plan, inputs.planes.stride);
   columns[QUELL_GRAM_FEATURES] = color.x;
   columns[QUELL_GRAM_FEATURES + 1] = color.y;

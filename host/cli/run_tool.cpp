@@ -18,6 +18,7 @@ int runTool(int argc, const char* const* argv) {
   addBenchCommand(app);
   addDevicesCommand(app);
   addFBetaCommand(app);
+  addSelectFeaturesCommand(app);
   addStressCommand(app);
   try {
     app.parse(argc, argv);
