@@ -11,5 +11,6 @@ void addCompareCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addStressCommand(CLI::App& app);
+void addRenderCommand(CLI::App& app);
 
 }  // namespace quell::cli

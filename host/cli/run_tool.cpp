@@ -18,6 +18,7 @@ int runTool(int argc, const char* const* argv) {
   addBenchCommand(app);
   addDevicesCommand(app);
   addStressCommand(app);
+  addRenderCommand(app);
   try {
     app.parse(argc, argv);
     return 0;
