@@ -4,14 +4,12 @@
 
 #include "render/surface.h"
 
-// Shadow rays end this share of the distance before the light, so that it does not hide itself.
-#define QUELL_SHADOW_END 0.9995f
-
 typedef struct LightSample {
   float3 direction;  // unit length
   float3 radiance;
   float distance;  // m
   float pdf;       // per solid angle, the choice of the light included; 0: no light from there
+  int light;       // index
 } LightSample;
 
 // Sky: zenith and horizon mixed by height; below the horizon the ground.
@@ -104,6 +102,7 @@ static inline LightSample sampleLight(const Scene* scene, const RenderParams* pa
   } else {
     sample = sampleDistant(light, &params->sky, from, u);
   }
+  sample.light = index;
   sample.pdf = lightPdf(light, from, sample.direction, sample.distance);
   if (dot(sample.radiance, sample.radiance) <= 0.0f || dot(sample.direction, from->geometric) <= 0.0f)
     sample.pdf = 0.0f;

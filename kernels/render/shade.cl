@@ -39,7 +39,7 @@ static inline void addDirectLight(const Scene* scene, const RenderParams* params
   const Split value = evaluateBsdf(bsdf, light.direction, &bsdfPdf);
   const float weight = lightWeight(params->estimator, light.pdf, bsdfPdf);
   if (value.diffuse.x <= 0.0f || weight <= 0.0f) return;
-  if (!isVisible(scene, leave(surface, light.direction), light.distance * QUELL_SHADOW_END)) return;
+  if (!isVisible(scene, leave(surface, light.direction), light.distance, light.light)) return;
   addScaled(sum, value, light.radiance * (weight / light.pdf));
 }
 
@@ -53,8 +53,7 @@ static inline float3 reflectedLight(const Scene* scene, const RenderParams* para
   const Split value = evaluateBsdf(&bsdf, light.direction, &unused);
   const float3 reflected = surface->albedo * value.diffuse + surface->tint * value.glossy;
   if (luminance(reflected) <= 0.0f) return (float3)(0.0f);
-  if (!isVisible(scene, leave(surface, light.direction), light.distance * QUELL_SHADOW_END))
-    return (float3)(0.0f);
+  if (!isVisible(scene, leave(surface, light.direction), light.distance, light.light)) return (float3)(0.0f);
   return reflected * light.radiance / light.pdf;
 }
 

@@ -60,8 +60,9 @@ static inline float enterNode(__global const RenderBvhNode* node, float3 origin,
   return entry <= exit ? entry : INFINITY;
 }
 
-// The first hit nearer than `most`; with anyHit != 0 the first that is found.
-static inline Hit traverse(const Scene* scene, Ray ray, float most, int anyHit) {
+// The first hit nearer than `most`; with anyHit != 0 the first that is found. Shapes of the light `ignored` are passed
+// through (-1: none).
+static inline Hit traverse(const Scene* scene, Ray ray, float most, int anyHit, int ignored) {
   Hit hit;
   hit.distance = most;
   hit.primitive = -1;
@@ -79,7 +80,7 @@ static inline Hit traverse(const Scene* scene, Ray ray, float most, int anyHit) 
     if (node->count > 0) {
       for (int i = node->first; i < node->first + node->count; ++i) {
         const float distance = hitPrimitive(scene->primitives + i, ray, 0.0f);
-        if (distance < hit.distance) {
+        if (distance < hit.distance && (ignored < 0 || scene->primitives[i].light != ignored)) {
           hit.distance = distance;
           hit.primitive = i;
           if (anyHit) return hit;
@@ -109,11 +110,12 @@ static inline Hit traverse(const Scene* scene, Ray ray, float most, int anyHit) 
   return hit;
 }
 
-static inline Hit nearestHit(const Scene* scene, Ray ray) { return traverse(scene, ray, INFINITY, 0); }
+static inline Hit nearestHit(const Scene* scene, Ray ray) { return traverse(scene, ray, INFINITY, 0, -1); }
 
-// 1 where nothing stands between the ray's origin and the point `distance` (m) along it.
-static inline int isVisible(const Scene* scene, Ray ray, float distance) {
-  return traverse(scene, ray, distance, 1).primitive < 0;
+// 1 where nothing stands between the ray's origin and the point `distance` (m) along it, the light there aside: seen
+// from the offset origin, its rim would hide itself.
+static inline int isVisible(const Scene* scene, Ray ray, float distance, int light) {
+  return traverse(scene, ray, distance, 1, light).primitive < 0;
 }
 
 #endif
