@@ -1,10 +1,7 @@
 // quell render: noisy sequences with all buffers and references, from built-in scenes.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <quell/quell.hpp>
 #include <string>
@@ -12,6 +9,7 @@
 
 #include "host/cli/command_arguments.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/progress.hpp"
 #include "host/core/program_cache.hpp"
 #include "host/render/render_sequence.hpp"
 
@@ -19,7 +17,6 @@ namespace quell::cli {
 namespace {
 
 constexpr char kCommand[] = "render";
-constexpr std::size_t kBarColumns = 40;
 
 struct RenderArguments {
   render::RenderOptions render;
@@ -36,26 +33,6 @@ std::string sceneHelp() {
   return text;
 }
 
-/// A bar on standard error, if that is a terminal.
-class Bar {
- public:
-  ~Bar() {
-    if (m_shown) fmt::print(stderr, "\n");
-  }
-  void show(double share, const std::string& what) {
-    if (!m_terminal) return;
-    const std::size_t filled = std::min(kBarColumns, static_cast<std::size_t>(share * kBarColumns));
-    fmt::print(stderr, "\rrender [{:#<{}}{:.<{}}] {:3.0f} % {:<32}", "", filled, "", kBarColumns - filled,
-               100.0 * share, what);
-    std::fflush(stderr);
-    m_shown = true;
-  }
-
- private:
-  const bool m_terminal = isatty(STDERR_FILENO) == 1;
-  bool m_shown = false;
-};
-
 void runRender(RenderArguments& arguments) {
   render::RenderOptions& options = arguments.render;
   options.settings.size = parseSize(kCommand, arguments.size);
@@ -66,9 +43,9 @@ void runRender(RenderArguments& arguments) {
   if (!options.referenceFrames.empty() && options.settings.referenceSamples == 0)
     refuse(kCommand, "--reference-frames", "--reference besides", "none");
   const auto start = std::chrono::steady_clock::now();
-  Bar bar;
-  const render::RenderReport report =
-      render::renderSequence(options, [&](double share, const std::string& what) { bar.show(share, what); });
+  ShareProgress progress(kCommand);
+  const render::RenderReport report = render::renderSequence(
+      options, [&](double share, const std::string& what) { progress.show(share, what); });
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   fmt::print("{}: {} frames rendered, {} kept; {} reference halves rendered, {} kept; {:.1f} s on {}\n",
              options.output, report.framesRendered, report.framesKept, report.halvesRendered,
