@@ -18,6 +18,7 @@
 #include "accumulate_noisy_params.h"
 #include "common/blocks.h"
 #include "common/fit_features.h"
+#include "common/guides.h"
 #include "common/planes.h"
 #include "common/random.h"
 #include "fit_params.h"
@@ -198,7 +199,7 @@ __kernel
   for (int i = 0; i < ITEM_ROWS; ++i) {
     const GatherPlan plan =
         planBlockRow(params.planes, (i * FIT_GROUP_SIZE + id) * QUELL_LANES, blockX, blockY);
-    const intL used = gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan) > 0.0f;
+    const intL used = gatherLanes(guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * stride, plan) > 0.0f;
     floatL scaled[QUELL_SCALED];
     makeScaled(scaled, gatherGuide(guides, materials, params.planes, plan), params.viewAxis);
     UNROLL
@@ -224,7 +225,7 @@ __kernel
   for (int i = 0; i < ITEM_ROWS; ++i) {
     const int row = (i * FIT_GROUP_SIZE + id) * QUELL_LANES;
     const GatherPlan plan = planBlockRow(params.planes, row, blockX, blockY);
-    const floatL rootWeight = SQRT(gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan));
+    const floatL rootWeight = SQRT(gatherLanes(guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * stride, plan));
     const Guide guide = gatherGuide(guides, materials, params.planes, plan);
     floatL features[QUELL_FEATURES];
     makeFeatures(features, guide, params.viewAxis, anchor, scale);
@@ -237,7 +238,8 @@ __kernel
     }
     UNROLL
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
-      SET(columns, QUELL_FEATURES + c, i, gatherLanes(irradiance + c * stride, plan) * rootWeight);
+      SET(columns, QUELL_FEATURES + c, i,
+          gatherLanes(irradiance + (3 * QUELL_SIGNAL + c) * stride, plan) * rootWeight);
   }
 
   // Householder QR. Step j reflects the pivot column j onto row j, which then belongs to R and is out of the game: the

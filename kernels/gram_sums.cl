@@ -12,6 +12,7 @@
 #include "accumulate_noisy_params.h"
 #include "common/blocks.h"
 #include "common/fit_features.h"
+#include "common/guides.h"
 #include "common/planes.h"
 #include "gram_params.h"
 
@@ -46,7 +47,7 @@ QUELL_INLINE GatherPlan planTilePixels(PlaneParams planes, Tile tile, int vector
 
 QUELL_INLINE floatL tileWeight(__global const float* guides, PlaneParams planes, GatherPlan plan,
                                intL inside) {
-  const floatL weight = gatherLanes(guides + QUELL_GUIDE_WEIGHT * planes.stride, plan);
+  const floatL weight = gatherLanes(guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * planes.stride, plan);
   return inside ? weight : ZERO_LANES;
 }
 
@@ -77,7 +78,8 @@ QUELL_INLINE void makeColumns(Inputs inputs, GatherPlan plan, floatL weight, con
                               const float* scale, floatL* columns) {
   const Guide guide = gatherGuide(inputs.guides, inputs.materials, inputs.planes, plan);
   makeFeatures(columns, guide, inputs.viewAxis, anchor, scale);
-  const float3L color = gatherLanes3(inputs.irradiance, plan, inputs.planes.stride);
+  const float3L color =
+      gatherLanes3(inputs.irradiance + 3 * QUELL_SIGNAL * inputs.planes.stride, plan, inputs.planes.stride);
   columns[QUELL_GRAM_FEATURES] = color.x;
   columns[QUELL_GRAM_FEATURES + 1] = color.y;
   columns[QUELL_GRAM_FEATURES + 2] = color.z;

@@ -13,5 +13,6 @@ void addDevicesCommand(CLI::App& app);
 void addFBetaCommand(CLI::App& app);
 void addSelectFeaturesCommand(CLI::App& app);
 void addStressCommand(CLI::App& app);
+void addRenderCommand(CLI::App& app);
 
 }  // namespace quell::cli

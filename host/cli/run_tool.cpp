@@ -20,6 +20,7 @@ int runTool(int argc, const char* const* argv) {
   addFBetaCommand(app);
   addSelectFeaturesCommand(app);
   addStressCommand(app);
+  addRenderCommand(app);
   try {
     app.parse(argc, argv);
     return 0;

@@ -93,12 +93,6 @@ QUELL_INLINE Material loadMaterial(MATERIAL_ARGUMENTS, MaterialParams params, fl
 #else
   const float3L albedo = one;
 #endif
-#if GLOSSCOLOR_FORMAT
-  const float3L glossColor =
-      cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes));
-#else
-  const float3L glossColor = one;
-#endif
 #if EMISSION_FORMAT
   const float3L emission = LOAD_PIXELS(EMISSION, emissionData, params.emission, x, y, lanes);
   const intL emissionFinite = isFinite3(emission);
@@ -113,10 +107,18 @@ QUELL_INLINE Material loadMaterial(MATERIAL_ARGUMENTS, MaterialParams params, fl
 #else
   const float3L included = material.emission;
 #endif
+#if QUELL_SIGNALS == 2 || GLOSSCOLOR_FORMAT
+#if GLOSSCOLOR_FORMAT
+  const float3L glossColor =
+      cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes));
+#else
+  const float3L glossColor = one;
+#endif
 #if DEMODULATE == QUELL_DEMODULATE_F_BETA
   const float3L fBeta = loadFBeta(roughnessData, f0Data, fBetaTable, params, position, normal, x, y, lanes);
 #else
   const float3L fBeta = one;
+#endif
 #endif
 
 #if QUELL_SIGNALS == 2
