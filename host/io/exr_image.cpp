@@ -111,7 +111,8 @@ std::uint32_t toUint(float value) {
   return value > 0.0f ? static_cast<std::uint32_t>(std::min(std::round(value), kUintMax)) : 0u;
 }
 
-/// Encodes samples of type T (half, float or std::uint32_t), interleaved like Image, as a complete file in memory.
+/// Encodes samples of type T (half, float or std::uint32_t), interleaved like Image, as a complete file in
+/// memory.
 template <typename T>
 std::string encode(const Image& shape, const T* samples, Imf::PixelType type) {
   const ChannelNames names = namesForWriting(shape.channels);

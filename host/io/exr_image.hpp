@@ -37,8 +37,8 @@ Image readExrRgb(const std::string& path);
 /// Throws Error(InvalidArgument) naming `path`, the size expected and the size found, unless they agree.
 void requireSize(const Image& image, int width, int height, const std::string& path);
 
-/// Writes 3 channels as R G B, 2 as R G, or 1 as Y; ZIP compressed, atomically (see atomic_file.hpp).
-/// Half: values beyond the range, Inf included, become +-65504; NaN stays NaN. Float: exact. Uint: rounded to the
+/// Writes 3 channels as R G B, 2 as R G, or 1 as Y; ZIP compressed, atomically (see atomic_file.hpp). Half:
+/// values beyond the range, Inf included, become +-65504; NaN stays NaN. Float: exact. Uint: rounded to the
 /// nearest whole number in [0, 2^32 - 256], NaN becomes 0; a float in memory is exact up to 2^24.
 /// Throws Error(InvalidArgument) for an empty image or another channel count, Error(FileError) if writing
 /// fails.

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kBins = 16;
 constexpr int kLeafSize = 2;
-// Deeper nodes become leaves; kernels/render/traverse.h keeps one waiting node a level (QUELL_BVH_STACK of them).
+// Deeper nodes become leaves; kernels/render/traverse.h keeps one waiting node a level (QUELL_BVH_STACK of
+// them).
 constexpr int kMaxDepth = 44;
 // Rounded outwards, since the kernels intersect boxes in single precision.
 constexpr float kSlackM = 1e-5f;
@@ -42,10 +43,7 @@ class Builder {
     }
     target.first = leaf ? first : int(m_bvh.nodes.size());
     target.count = leaf ? count : 0;
-    if (leaf) {
-      // An inner node is told by its count; the empty tree is a leaf of no primitives whose children are never there.
-      return;
-    }
+    if (leaf) return;
     const std::size_t children = m_bvh.nodes.size();
     m_bvh.nodes.resize(children + 2);
     build(children, first, middle - first, depth + 1);

@@ -1,5 +1,5 @@
-// Bounding volume hierarchy over boxes, built by the surface area heuristic in bins (Wald 2007, On fast Construction
-// of SAH-based Bounding Volume Hierarchies).
+// Bounding volume hierarchy over boxes, built by the surface area heuristic in bins (Wald 2007, On fast
+// Construction of SAH-based Bounding Volume Hierarchies).
 #pragma once
 
 #include <glm/glm.hpp>
@@ -27,7 +27,7 @@ struct Bvh {
   std::vector<int> order;            ///< position in the leaves -> index of the box
 };
 
-/// Deterministic. Without boxes there is one empty leaf. The tree never gets deeper than the kernels' stack.
+/// Deterministic; at least one box. The tree never gets deeper than the kernels' stack.
 Bvh buildBvh(const std::vector<Bounds>& boxes);
 
 }  // namespace quell::render

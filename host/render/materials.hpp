@@ -5,8 +5,8 @@
 
 namespace quell::render {
 
-// Reflectance of metals at normal incidence, linear Rec. 709 (Hoffman 2010, Physically-Based Shading Models in Film and
-// Game Production, SIGGRAPH course, table 2; brass: Lagarde 2011).
+// Reflectance of metals at normal incidence, linear Rec. 709 (Hoffman 2010, Physically-Based Shading Models
+// in Film and Game Production, SIGGRAPH course, table 2; brass: Lagarde 2011).
 constexpr glm::dvec3 kGold{1.00, 0.71, 0.29};
 constexpr glm::dvec3 kSilver{0.95, 0.93, 0.88};
 constexpr glm::dvec3 kCopper{0.95, 0.64, 0.54};

@@ -29,7 +29,8 @@ struct Features {
 struct Light {
   io::Image diffuse;  ///< 3 channels: color = albedo * diffuse + glossColor * glossy + emission
   io::Image glossy;   ///< 3 channels, Fresnel included
-  /// 1 channel, m: how far the first secondary ray of the GGX lobe went; QUELL_NO_HIT_DISTANCE, QUELL_MISS_DISTANCE.
+  /// 1 channel, m: how far the first secondary ray of the GGX lobe went; QUELL_NO_HIT_DISTANCE,
+  /// QUELL_MISS_DISTANCE.
   io::Image hitDistance;
 };
 
@@ -59,8 +60,8 @@ class PathTracer {
   /// Traces the primary rays of a scene; `before` is the scene one frame earlier.
   Features features(const Scene& now, const Scene& before);
 
-  /// The light of the scene last given to features(); samples >= 1 per pixel. `progress` is called with the number of
-  /// samples just done.
+  /// The light of the scene last given to features(); samples >= 1 per pixel. `progress` is called with the
+  /// number of samples just done.
   Light light(std::uint32_t seed, int samples, Estimator estimator = Estimator::Both,
               const std::function<void(int)>& progress = {});
 

@@ -32,9 +32,9 @@ using RenderProgress = std::function<void(double share, const std::string& what)
 /// The last frame, and the one that the scene names besides, if it is among the frames.
 std::vector<int> defaultReferenceFrames(const SceneEntry& scene, int frameCount);
 
-/// Frames and halves that are in the directory and whole are kept. Throws Error(InvalidArgument) for an unknown scene,
-/// sizes, counts or frames out of range or a directory with another rendering, Error(FileError) for files that cannot
-/// be written, and what PathTracer throws.
+/// Frames and halves that are in the directory and whole are kept. Throws Error(InvalidArgument) for an
+/// unknown scene, sizes, counts or frames out of range or a directory with another rendering,
+/// Error(FileError) for files that cannot be written, and what PathTracer throws.
 RenderReport renderSequence(const RenderOptions& options, const RenderProgress& progress = {});
 
 }  // namespace quell::render

@@ -1,5 +1,5 @@
-// A scene at one moment: shapes with materials, lights, sky and camera. World space is right-handed, z up, metres;
-// radiance is linear, Rec. 709 primaries.
+// A scene at one moment: shapes with materials, lights, sky and camera. World space is right-handed, z up,
+// metres; radiance is linear, Rec. 709 primaries.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -93,7 +93,8 @@ struct Sky {
   double sunRadiusDeg = 1.0;               ///< angle; at least 0.5, where single precision still resolves it
 };
 
-/// Filled by the scenes' functions; everything is in the order of addition, which must be the same in every frame.
+/// Filled by the scenes' functions; everything is in the order of addition, which must be the same in every
+/// frame.
 class Scene {
  public:
   PinholeCamera camera;
@@ -102,8 +103,9 @@ class Scene {
   /// Returns the index of the material.
   int add(const Material& material);
 
-  /// Adds shapes. A material with emission makes a light of it: only spheres and rectangles (on their +z side) may.
-  /// Each call is an object of its own unless `partOf` names another's id. Returns the object's id.
+  /// Adds shapes. A material with emission makes a light of it: only spheres and rectangles (on their +z
+  /// side) may. Each call is an object of its own unless `partOf` names another's id. Returns the object's
+  /// id.
   /// Throws std::invalid_argument for a light of another shape or a size that is not positive.
   int sphere(const Pose& pose, double radius, int material, int partOf = 0);
   int box(const Pose& pose, const glm::dvec3& halfExtents, int material, int partOf = 0);

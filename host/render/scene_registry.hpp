@@ -1,4 +1,5 @@
-// The scenes that there are. A new one is one file in scenes/, declared here and listed in scene_registry.cpp.
+// The scenes that there are. A new one is one file in scenes/, declared here and listed in
+// scene_registry.cpp.
 #pragma once
 
 #include <string>

@@ -1,9 +1,10 @@
 // A rendered sequence as files: the layout of host/io/cycles_sequence.hpp and more buffers.
 //
-// For each frame NNNN: color, diffuse_irradiance, glossy_radiance, albedo, gloss_color, f0, emission, shading_normal
-// (half R G B), world_position (float R G B), roughness, hit_distance (half Y), motion (half R G), object_id (32-bit
-// unsigned Y); for frames with a reference ref_a_<buffer> and ref_b_<buffer> of color, diffuse_irradiance and
-// glossy_radiance (half R G B); camera.json with the matrices; render.json with the settings of the rendering.
+// For each frame NNNN: color, diffuse_irradiance, glossy_radiance, albedo, gloss_color, f0, emission,
+// shading_normal (half R G B), world_position (float R G B), roughness, hit_distance (half Y), motion (half R
+// G), object_id (32-bit unsigned Y); for frames with a reference ref_a_<buffer> and ref_b_<buffer> of color,
+// diffuse_irradiance and glossy_radiance (half R G B); camera.json with the matrices; render.json with the
+// settings of the rendering.
 #pragma once
 
 #include <string>
@@ -25,12 +26,13 @@ struct SequenceSettings {
 
 class SequenceWriter {
  public:
-  /// Creates the directory, or takes one that was begun with the same settings; then writes camera.json for at least
-  /// `frameCount` frames and render.json.
+  /// Creates the directory, or takes one that was begun with the same settings; then writes camera.json for
+  /// at least `frameCount` frames and render.json.
   /// Throws Error(FileError) if it cannot be written, Error(InvalidArgument) if it holds another rendering.
   SequenceWriter(std::string directory, const SequenceSettings& settings, int frameCount);
 
-  /// Whether all files of the frame, or of one half ('a' or 'b') of its reference, are there and can be read to their end.
+  /// Whether all files of the frame, or of one half ('a' or 'b') of its reference, are there and can be read
+  /// to their end.
   bool hasFrame(int frame) const;
   bool hasReference(int frame, char half) const;
 

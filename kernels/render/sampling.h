@@ -28,7 +28,7 @@ static inline float2 nextUniform2(Random* random) {
   return (float2)(x, nextUniform(random));
 }
 
-// Unit vectors t and b that make a right-handed frame with n (Duff et al. 2017, Building an Orthonormal Basis, Revisited).
+// Unit vectors t and b that make a right-handed frame with n (Duff et al. 2017).
 static inline void basisOf(float3 n, float3* t, float3* b) {
   const float s = n.z >= 0.0f ? 1.0f : -1.0f;
   const float a = -1.0f / (s + n.z);

@@ -1,15 +1,17 @@
 // shade: light paths from the primary hits.
 // Paper:  Koskela et al. 2019, section 3: next-event estimation, one secondary ray by importance sampling with multiple
 //         importance sampling, a second shadow ray where it ends.
-// In:     hits of `primary`. In and out: sums over samples of diffuse light (before albedo) and glossy light (before the
-//         tint, Fresnel included), packed float3; the distance that the first secondary ray of the GGX lobe went (m;
-//         QUELL_NO_HIT_DISTANCE: none yet, QUELL_MISS_DISTANCE: it left the scene).
-// Departs: at the end of the secondary ray the GGX lobe is at least QUELL_INDIRECT_ROUGHNESS rough, since only a shadow ray
-//         samples it there (path space regularisation, Kaplanyan and Dachsbacher 2013), and bumps are left out.
+// In:     hits of `primary`. In and out: sums over samples of diffuse light (before albedo) and glossy light (before
+//         the tint, Fresnel included), packed float3; the distance that the first secondary ray of the GGX lobe went
+//         (m; QUELL_NO_HIT_DISTANCE: none yet, QUELL_MISS_DISTANCE: it left the scene).
+// Departs: at the end of the secondary ray the GGX lobe is at least QUELL_INDIRECT_ROUGHNESS rough, since only a
+//         shadow ray samples it there (path space regularisation, Kaplanyan and Dachsbacher 2013), and bumps are left
+//         out.
 #include "render/bsdf.h"
 #include "render/camera.h"
 #include "render/lights.h"
 
+// Chosen by eye: 0.4 leaves many fireflies from caustics.
 #define QUELL_INDIRECT_ROUGHNESS 0.6f
 
 // Weight of a sample whose technique has density `mine` where another has `other` (balance heuristic).

@@ -41,7 +41,7 @@ static inline float fractalNoise(float3 p) {
   return sum / total;
 }
 
-// Planar coordinates of a surface point (m): along the surface of cylinders, else seen along the main axis of the normal.
+// Planar coordinates of a surface point (m): along the surface of cylinders, else seen along the normal's main axis.
 static inline float2 planarCoordinates(int shape, float4 size, float3 p, float3 n) {
   const float3 a = fabs(n);
   if (shape == QUELL_SHAPE_CYLINDER && a.z < 0.5f) return (float2)(size.x * atan2(p.y, p.x), p.z);

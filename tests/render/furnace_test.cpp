@@ -33,9 +33,10 @@ double masking(double cosine, double alpha) {
   return 2.0 * cosine / (cosine + std::sqrt(a2 + (1.0 - a2) * cosine * cosine));
 }
 
-/// Share of light from everywhere that GGX with separable Smith masking and Schlick's Fresnel sends to a viewer: the
-/// integral over the half vector, d omega_i = 4 (o.h) d omega_h, by the midpoint rule. Independent of the kernels'
-/// sampling; slope-space radius tan(theta) = alpha sqrt(u / (1 - u)) makes the integrand smooth for every alpha.
+/// Share of light from everywhere that GGX with separable Smith masking and Schlick's Fresnel sends to a
+/// viewer: the integral over the half vector, d omega_i = 4 (o.h) d omega_h, by the midpoint rule.
+/// Independent of the kernels' sampling; slope-space radius tan(theta) = alpha sqrt(u / (1 - u)) makes the
+/// integrand smooth for every alpha.
 double directionalAlbedo(double cosine, double alpha, double f0) {
   constexpr int kRadii = 160, kAngles = 48;
   const double sine = std::sqrt(1.0 - cosine * cosine);

@@ -1,4 +1,5 @@
-// cornell: the box of Goral et al. 1984, as wide as the image: diffuse, one light, colour bleeding, no background.
+// cornell: the box of Goral et al. 1984, as wide as the image: diffuse, one light, colour bleeding, no
+// background.
 #include <cmath>
 
 #include "host/render/materials.hpp"

@@ -23,7 +23,8 @@ void dark(Scene& scene, double frame) {
   const int floor = scene.add(slabs);
   addRoom(scene, {-3.0, -5.0, 0.0}, {3.0, 2.5, 2.8}, {floor, wall, wall, wall, wall, wall});
 
-  // The lamp hangs behind a pier and under a hood; nothing that the camera sees is lit by it but the back wall.
+  // The lamp hangs behind a pier and under a hood; nothing that the camera sees is lit by it but the back
+  // wall.
   const int lamp = scene.add(emitter({420.0, 290.0, 165.0}));
   scene.sphere({{1.35, 1.9, 1.6}}, 0.05, lamp);
   scene.box({{1.25, 1.25, 1.4}}, {0.55, 0.12, 1.4}, wall);

@@ -1,4 +1,5 @@
-// foliage: bushes of thousands of leaves and grass at dusk: normals and depths change from pixel to pixel, and little light.
+// foliage: bushes of thousands of leaves and grass at dusk: normals and depths change from pixel to pixel,
+// and little light.
 #include <cmath>
 
 #include "host/render/materials.hpp"

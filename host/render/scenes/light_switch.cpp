@@ -1,5 +1,5 @@
-// light-switch: at one frame the ceiling light goes out and a standing lamp goes on: all history is wrong at once, and
-// no feature tells.
+// light-switch: at one frame the ceiling light goes out and a standing lamp goes on: all history is wrong at
+// once, and no feature tells.
 #include "host/render/materials.hpp"
 #include "host/render/scene_registry.hpp"
 #include "host/render/scenes/still_room.hpp"

@@ -1,4 +1,5 @@
-// mirror: metals and a floor of roughness 0.02 to 0.15: what is seen in them moves differently from their surfaces.
+// mirror: metals and a floor of roughness 0.02 to 0.15: what is seen in them moves differently from their
+// surfaces.
 #include <cmath>
 
 #include "host/render/materials.hpp"

@@ -1,4 +1,5 @@
-// moving-light: camera and objects stand still, a lamp circles over them: shadows and highlights move while no feature does.
+// moving-light: camera and objects stand still, a lamp circles over them: shadows and highlights move while
+// no feature does.
 #include <cmath>
 
 #include "host/render/materials.hpp"

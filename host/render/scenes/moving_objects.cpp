@@ -1,5 +1,5 @@
-// moving-objects: rolling, spinning, sliding and circling objects under a panning camera: history must follow the objects,
-// which the matrices of the camera alone cannot.
+// moving-objects: rolling, spinning, sliding and circling objects under a panning camera: history must follow
+// the objects, which the matrices of the camera alone cannot.
 #include <cmath>
 
 #include "host/render/materials.hpp"

@@ -1,4 +1,5 @@
-// open-sky: balloons, masts and hills before a wide sky: most of the frame is background, which costs nothing to denoise.
+// open-sky: balloons, masts and hills before a wide sky: most of the frame is background, which costs nothing
+// to denoise.
 #include <cmath>
 
 #include "host/render/materials.hpp"

@@ -34,7 +34,8 @@ struct RoomMaterials {
 /// Rectangles that face inwards.
 void addRoom(Scene& scene, const glm::dvec3& low, const glm::dvec3& high, const RoomMaterials& materials);
 
-/// A table with four legs; `center` is on the floor, `halfExtents` those of the top (x, y) and the height (z).
+/// A table with four legs; `center` is on the floor, `halfExtents` those of the top (x, y) and the height
+/// (z).
 void addTable(Scene& scene, const glm::dvec3& center, const glm::dvec3& halfExtents, int material);
 
 /// A row of `count` balusters with a rail from `from` to `to`, on the floor at their height z.

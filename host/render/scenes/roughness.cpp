@@ -1,5 +1,6 @@
-// roughness: a studio of spheres, tori and rounded boxes in metal and glaze. Roughness and F0 vary within every object
-// and the camera orbits, so F_beta takes all its values: what demodulation of the glossy light has to cope with.
+// roughness: a studio of spheres, tori and rounded boxes in metal and glaze. Roughness and F0 vary within
+// every object and the camera orbits, so F_beta takes all its values: what demodulation of the glossy light
+// has to cope with.
 #include <array>
 #include <cmath>
 
