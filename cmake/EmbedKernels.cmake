@@ -1,6 +1,9 @@
 cmake_minimum_required(VERSION 3.22)
 # Turns kernels/*.cl into one C++ source: cmake -DKERNEL_DIR=... -DOUTPUT=... -P EmbedKernels.cmake
 #
+# -DFOLDER=name takes kernels/<name>/*.cl instead, and the function is then <name>KernelSources(), declared in
+# host/<name>/kernel_sources.hpp.
+#
 # Includes are inlined, each file once per kernel (all headers carry include guards), with #line marks, so that a build
 # log names the true file and line.
 function(expand_includes file seen_variable result_variable)
@@ -36,8 +39,16 @@ function(expand_includes file seen_variable result_variable)
   set(${seen_variable} "${seen}" PARENT_SCOPE)
 endfunction()
 
-file(GLOB kernels RELATIVE "${KERNEL_DIR}" "${KERNEL_DIR}/*.cl")
-set(source "// Generated from kernels/ by cmake/EmbedKernels.cmake.\n#include \"host/core/kernel_sources.hpp\"\n\nnamespace quell {\n\nconst std::map<std::string, std::string>& kernelSources() {\n  static const std::map<std::string, std::string> sources = {\n")
+if(FOLDER)
+  file(GLOB kernels RELATIVE "${KERNEL_DIR}" "${KERNEL_DIR}/${FOLDER}/*.cl")
+  set(header "host/${FOLDER}/kernel_sources.hpp")
+  set(function "${FOLDER}KernelSources")
+else()
+  file(GLOB kernels RELATIVE "${KERNEL_DIR}" "${KERNEL_DIR}/*.cl")
+  set(header "host/core/kernel_sources.hpp")
+  set(function "kernelSources")
+endif()
+set(source "// Generated from kernels/ by cmake/EmbedKernels.cmake.\n#include \"${header}\"\n\nnamespace quell {\n\nconst std::map<std::string, std::string>& ${function}() {\n  static const std::map<std::string, std::string> sources = {\n")
 foreach(kernel IN LISTS kernels)
   set(seen "")
   expand_includes("${kernel}" seen text)

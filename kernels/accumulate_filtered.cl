@@ -1,11 +1,32 @@
 // accumulate_filtered: blends the fitted irradiance into the filtered history.
 // Paper:   Koskela et al. 2019, phase III (post-processing, second temporal accumulation): motion and discard
 //          decisions of the first accumulation are reused; weight of the new frame max(1 / n, leastWeight).
-// In:      fitted irradiance (3 planes), filtered irradiance of the frame before, pixel index in the frame before,
-//          reprojection mask, history length. Out: filtered irradiance (3 planes).
+// In:      fitted irradiance (3 planes per signal), filtered irradiance of the frame before, pixel index in the frame
+//          before, reprojection mask and history length (per signal). Out: filtered irradiance (3 planes per signal).
 #include "accumulate_filtered_params.h"
-#include "accumulate_noisy_params.h"
+#include "common/guides.h"
 #include "common/reprojection.h"
+
+// The pointers are those of the signal, moved to the pixel; `history` to its plane.
+QUELL_INLINE void accumulateSignal(__global const float* fitted, __global const float* history,
+                                   BilinearTaps taps, intL mask, floatL length, __global float* filtered,
+                                   AccumulateFilteredParams params) {
+  const PlaneParams planes = params.planes;
+  const float3L newest = loadLanes3(fitted, 0, planes.stride);
+  float3L sum = splat3(0.0f);
+  floatL weightSum = ZERO_LANES;
+  for (int i = 0; i < 4; ++i) {
+    const floatL weight = (mask & QUELL_TAP_ACCEPTED(i)) != 0 ? taps.weight[i] : ZERO_LANES;
+    const float3L tap = gatherLanes3(history + tapOffset(planes, i), taps.plan, planes.stride);
+    sum = add3(sum, scale3(tap, weight));
+    weightSum += weight;
+  }
+  const intL hasHistory = weightSum > 0.0f;
+  const float3L mean = scale3(sum, 1.0f / (hasHistory ? weightSum : ONE_LANES));
+  const floatL cumulative = 1.0f / maxLanes(length, ONE_LANES);
+  const floatL blend = hasHistory ? maxLanes(cumulative, (floatL)(params.leastWeight)) : ONE_LANES;
+  storeLanes3(add3(scale3(newest, blend), scale3(mean, 1.0f - blend)), filtered, 0, planes.stride);
+}
 
 __kernel void accumulate_filtered(__global const float* fitted, __global const float* filteredPrev,
                                   __global const float* pixelPrev, __global const uchar* reprojectionMask,
@@ -16,24 +37,13 @@ __kernel void accumulate_filtered(__global const float* fitted, __global const f
   const int y = (int)get_global_id(1);
   if (x >= planes.width || y >= planes.height) return;
   const int index = planeIndex(planes, x, y);
-
-  const float3L newest = loadLanes3(fitted, index, planes.stride);
-  const intL mask = loadByteLanes(reprojectionMask + index);
   const BilinearTaps taps =
       bilinearTaps(planes, loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + planes.stride));
-
-  float3L sum = splat3(0.0f);
-  floatL weightSum = ZERO_LANES;
-  for (int i = 0; i < 4; ++i) {
-    const floatL weight = (mask & QUELL_TAP_ACCEPTED(i)) != 0 ? taps.weight[i] : ZERO_LANES;
-    const float3L tap = gatherLanes3(filteredPrev + tapOffset(planes, i), taps.plan, planes.stride);
-    sum = add3(sum, scale3(tap, weight));
-    weightSum += weight;
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    const int plane = 3 * s * planes.stride;
+    const int bytes = s * planes.stride + index;
+    accumulateSignal(fitted + plane + index, filteredPrev + plane, taps,
+                     loadByteLanes(reprojectionMask + bytes), TO_FLOAT(loadByteLanes(historyLength + bytes)),
+                     filtered + plane + index, params);
   }
-  const intL hasHistory = weightSum > 0.0f;
-  const float3L history = scale3(sum, 1.0f / (hasHistory ? weightSum : ONE_LANES));
-  const floatL length = TO_FLOAT(loadByteLanes(historyLength + index));
-  const floatL cumulative = 1.0f / maxLanes(length, ONE_LANES);
-  const floatL blend = hasHistory ? maxLanes(cumulative, (floatL)(params.leastWeight)) : ONE_LANES;
-  storeLanes3(add3(scale3(newest, blend), scale3(history, 1.0f - blend)), filtered, index, planes.stride);
 }

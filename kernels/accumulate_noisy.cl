@@ -62,9 +62,11 @@ QUELL_INLINE History normaliseHistory(History history) {
   return history;
 }
 
+#if MOMENTS
 QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
   return newest * weight + history * (1.0f - weight);
 }
+#endif
 
 // Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
 // as a filter tap. The pointers are those of the signal, moved to the pixel.
@@ -109,9 +111,9 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, SURFACE_ARGUMENTS, __global c
   const int lanes = min(QUELL_LANES, planes.width - x);
   const int index = planeIndex(planes, x, y);
 
-  const Material material = LOAD_MATERIAL(params.material, x, y, lanes);
   const Surface surface =
       loadSurface(normalData, positionData, params.surface, params.reprojection, x, y, lanes);
+  const Material material = LOAD_MATERIAL(params.material, surface.position, surface.normal, x, y, lanes);
 
   // Background moves like a point at infinity: only TAA uses where it was.
   const float3L ray = viewRay(params.reprojection, TO_FLOAT(x + LANE_INDEX), (floatL)((float)y));
@@ -167,7 +169,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, SURFACE_ARGUMENTS, __global c
 #if FILTER_GUIDES
   storeLanes(affine(params.reprojection.viewDepth, surface.position), viewDepth + index);
 #if ROUGHNESS_FORMAT
-  storeLanes(loadRoughness(roughnessData, params.surface, x, y, lanes), roughness + index);
+  storeLanes(loadRoughness(roughnessData, params.material, x, y, lanes), roughness + index);
 #endif
 #endif
 }

@@ -36,6 +36,7 @@ QUELL_INLINE FilterSums addFiltered(FilterSums sums, float3L irradiance, floatL 
   return sums;
 }
 
+#if VARIANCE
 // 3x3 binomial filter of the variance; neighbours outside the image stand back for the centre.
 QUELL_INLINE floatL prefilterVariance(__global const float* variance, PlaneParams planes, int x, int y,
                                       int atBorder) {
@@ -57,6 +58,7 @@ QUELL_INLINE floatL prefilterVariance(__global const float* variance, PlaneParam
   }
   return sum;
 }
+#endif
 
 // The planes that taps are read from.
 typedef struct FilterPlanes {

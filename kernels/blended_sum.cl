@@ -7,6 +7,7 @@
 //          work-item takes QUELL_LANES pixels of a cell (with sixteen lanes and tiles of 8: two rows of eight).
 #include "accumulate_noisy_params.h"
 #include "common/fit_features.h"
+#include "common/guides.h"
 #include "common/planes.h"
 #include "gram_params.h"
 
@@ -104,7 +105,8 @@ __kernel void blended_sum(__global const float* records, __global const float* g
   sum = scale3(sum, 1.0f / (total > 0.0f ? total : ONE_LANES));
   const intL surface = dot3(guide.normal, guide.normal) > 0.0f && isFinite3(sum);
   const float3L result = select3(surface, clamp3(sum, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f));
-  storeItem(result.x, fitted + index, pitch);
-  storeItem(result.y, fitted + index + stride, pitch);
-  storeItem(result.z, fitted + index + 2 * stride, pitch);
+  __global float* target = fitted + 3 * QUELL_SIGNAL * stride + index;
+  storeItem(result.x, target, pitch);
+  storeItem(result.y, target + stride, pitch);
+  storeItem(result.z, target + 2 * stride, pitch);
 }

@@ -19,9 +19,9 @@ __kernel void demodulate(MATERIAL_ARGUMENTS, SURFACE_ARGUMENTS, __global float* 
   const int lanes = min(QUELL_LANES, planes.width - x);
   const int index = planeIndex(planes, x, y);
 
-  const Material material = LOAD_MATERIAL(params.material, x, y, lanes);
   const Surface surface =
       loadSurface(normalData, positionData, params.surface, params.reprojection, x, y, lanes);
+  const Material material = LOAD_MATERIAL(params.material, surface.position, surface.normal, x, y, lanes);
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const Sample sample = makeSample(material.signals[s], surface.valid);
     storeLanes3(select3(sample.present, sample.irradiance, splat3(0.0f)), irradiance + 3 * s * stride, index,
@@ -33,6 +33,6 @@ __kernel void demodulate(MATERIAL_ARGUMENTS, SURFACE_ARGUMENTS, __global float* 
   storeLanes3(surface.normal, guides + QUELL_GUIDE_NORMAL * stride, index, stride);
   storeLanes(affine(params.reprojection.viewDepth, surface.position), viewDepth + index);
 #if ROUGHNESS_FORMAT
-  storeLanes(loadRoughness(roughnessData, params.surface, x, y, lanes), roughness + index);
+  storeLanes(loadRoughness(roughnessData, params.material, x, y, lanes), roughness + index);
 #endif
 }

@@ -18,6 +18,7 @@
 #include "accumulate_noisy_params.h"
 #include "common/blocks.h"
 #include "common/fit_features.h"
+#include "common/guides.h"
 #include "common/planes.h"
 #include "common/random.h"
 #include "fit_params.h"
@@ -137,6 +138,7 @@ QUELL_INLINE void groupSum(__local floatL* exchange, int id, floatL* values, int
 #endif
 }
 
+#if QUELL_SCALED > 0
 QUELL_INLINE void groupMin(__local floatL* exchange, int id, floatL* values, int count) {
 #if FIT_GROUP_SIZE > 1
   UNROLL
@@ -156,6 +158,7 @@ QUELL_INLINE void groupMin(__local floatL* exchange, int id, floatL* values, int
   GROUP_BARRIER;
 #endif
 }
+#endif
 
 __kernel
 #if FIT_GROUP_SIZE > 1
@@ -196,7 +199,7 @@ __kernel
   for (int i = 0; i < ITEM_ROWS; ++i) {
     const GatherPlan plan =
         planBlockRow(params.planes, (i * FIT_GROUP_SIZE + id) * QUELL_LANES, blockX, blockY);
-    const intL used = gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan) > 0.0f;
+    const intL used = gatherLanes(guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * stride, plan) > 0.0f;
     floatL scaled[QUELL_SCALED];
     makeScaled(scaled, gatherGuide(guides, materials, params.planes, plan), params.viewAxis);
     UNROLL
@@ -222,12 +225,10 @@ __kernel
   for (int i = 0; i < ITEM_ROWS; ++i) {
     const int row = (i * FIT_GROUP_SIZE + id) * QUELL_LANES;
     const GatherPlan plan = planBlockRow(params.planes, row, blockX, blockY);
-    const floatL rootWeight = SQRT(gatherLanes(guides + QUELL_GUIDE_WEIGHT * stride, plan));
+    const floatL rootWeight = SQRT(gatherLanes(guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * stride, plan));
     const Guide guide = gatherGuide(guides, materials, params.planes, plan);
-    floatL scaled[QUELL_SCALED_SLOTS];
-    makeScaled(scaled, guide, params.viewAxis);
     floatL features[QUELL_FEATURES];
-    makeFeatures(features, guide, scaled, anchor, scale);
+    makeFeatures(features, guide, params.viewAxis, anchor, scale);
     UNROLL
     for (int k = 0; k < QUELL_FEATURES; ++k) {
       const uintL counter = AS_UINT((intL)(row + k * QUELL_BLOCK_PIXELS) + LANE_INDEX) ^ blockSeed;
@@ -237,7 +238,8 @@ __kernel
     }
     UNROLL
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
-      SET(columns, QUELL_FEATURES + c, i, gatherLanes(irradiance + c * stride, plan) * rootWeight);
+      SET(columns, QUELL_FEATURES + c, i,
+          gatherLanes(irradiance + (3 * QUELL_SIGNAL + c) * stride, plan) * rootWeight);
   }
 
   // Householder QR. Step j reflects the pivot column j onto row j, which then belongs to R and is out of the game: the

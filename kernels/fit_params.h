@@ -45,13 +45,13 @@ QUELL_NAMESPACE_END
 #define QUELL_FIT_CHANNELS 3
 #define QUELL_FIT_COLUMNS (QUELL_FEATURES + QUELL_FIT_CHANNELS)
 
-// Record of one block, in floats: coefficients [feature][channel], 1 if any pixel had a sample (else 0), then anchors
-// and scales of the scaled variables v: (v - anchor) * scale.
-#define QUELL_FIT_USABLE_OF(features) ((features)*QUELL_FIT_CHANNELS)
-#define QUELL_FIT_ANCHOR_OF(features) (QUELL_FIT_USABLE_OF(features) + 1)
+// Record of one block, in floats: coefficients [feature][channel], anchors and scales of the scaled variables v, as in
+// (v - anchor) * scale, and 1 if any pixel had a sample (else 0); padded to 16 bytes.
+#define QUELL_FIT_ANCHOR_OF(features) ((features)*QUELL_FIT_CHANNELS)
 #define QUELL_FIT_SCALE_OF(features, scaled) (QUELL_FIT_ANCHOR_OF(features) + (scaled))
-#define QUELL_FIT_RECORD_OF(features, scaled) (QUELL_FIT_SCALE_OF(features, scaled) + (scaled))
-#define QUELL_FIT_USABLE QUELL_FIT_USABLE_OF(QUELL_FEATURES)
+#define QUELL_FIT_USABLE_OF(features, scaled) (QUELL_FIT_SCALE_OF(features, scaled) + (scaled))
+#define QUELL_FIT_RECORD_OF(features, scaled) ((QUELL_FIT_USABLE_OF(features, scaled) + 4) / 4 * 4)
+#define QUELL_FIT_USABLE QUELL_FIT_USABLE_OF(QUELL_FEATURES, QUELL_SCALED)
 #define QUELL_FIT_ANCHOR QUELL_FIT_ANCHOR_OF(QUELL_FEATURES)
 #define QUELL_FIT_SCALE QUELL_FIT_SCALE_OF(QUELL_FEATURES, QUELL_SCALED)
 #define QUELL_FIT_RECORD QUELL_FIT_RECORD_OF(QUELL_FEATURES, QUELL_SCALED)

@@ -56,7 +56,6 @@ QUELL_INLINE void loadRange(__global const float* tiles, int tileStride, intL ti
   {                                                                          \
     const floatL r = window->scale[v] / own.scale[v];                        \
     const floatL t = (own.anchor[v] - window->anchor[v]) * window->scale[v]; \
-    const floatL rt = 2.0f * r * t;                                          \
     for (int k = 0; k < QUELL_GRAM_COLUMNS; ++k) {                           \
       floatL* line = g[k];                                                   \
       const int stride = 1;                                                  \
@@ -70,7 +69,7 @@ QUELL_INLINE void loadRange(__global const float* tiles, int tileStride, intL ti
   }
 #define AT(i) line[(i)*stride]
 #define RESCALE_1(i, i0) AT(i) = r * AT(i) + t * AT(i0);
-#define RESCALE_2(i, i1, i0) AT(i) = r * r * AT(i) + rt * AT(i1) + t * t * AT(i0);
+#define RESCALE_2(i, i1, i0) AT(i) = r * r * AT(i) + (2.0f * r * t) * AT(i1) + t * t * AT(i0);
 #define RESCALE_3(i, i2, i1, i0) \
   AT(i) = r * r * r * AT(i) + 3.0f * (r * r * t * AT(i2) + r * t * t * AT(i1)) + t * t * t * AT(i0);
 #ifndef QUELL_RESCALE_LIST

@@ -12,6 +12,7 @@
 #include "accumulate_noisy_params.h"
 #include "common/blocks.h"
 #include "common/fit_features.h"
+#include "common/guides.h"
 #include "common/planes.h"
 #include "gram_params.h"
 
@@ -46,7 +47,7 @@ QUELL_INLINE GatherPlan planTilePixels(PlaneParams planes, Tile tile, int vector
 
 QUELL_INLINE floatL tileWeight(__global const float* guides, PlaneParams planes, GatherPlan plan,
                                intL inside) {
-  const floatL weight = gatherLanes(guides + QUELL_GUIDE_WEIGHT * planes.stride, plan);
+  const floatL weight = gatherLanes(guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * planes.stride, plan);
   return inside ? weight : ZERO_LANES;
 }
 
@@ -59,6 +60,7 @@ typedef struct Inputs {
   float4 viewAxis;
 } Inputs;
 
+#if QUELL_SCALED > 0
 // Lowers `bounds` to the minima of the unbounded variables v, and of -v, over the pixels with a weight.
 QUELL_INLINE void includeRange(Inputs inputs, GatherPlan plan, floatL weight, floatL* bounds) {
   floatL scaled[QUELL_SCALED_SLOTS];
@@ -69,15 +71,15 @@ QUELL_INLINE void includeRange(Inputs inputs, GatherPlan plan, floatL weight, fl
     bounds[k + QUELL_SCALED] = weight > 0.0f && -v < bounds[k + QUELL_SCALED] ? -v : bounds[k + QUELL_SCALED];
   }
 }
+#endif
 
 // Weighted row of [features | colour].
 QUELL_INLINE void makeColumns(Inputs inputs, GatherPlan plan, floatL weight, const float* anchor,
                               const float* scale, floatL* columns) {
   const Guide guide = gatherGuide(inputs.guides, inputs.materials, inputs.planes, plan);
-  floatL scaled[QUELL_SCALED_SLOTS];
-  makeScaled(scaled, guide, inputs.viewAxis);
-  makeFeatures(columns, guide, scaled, anchor, scale);
-  const float3L color = gatherLanes3(inputs.irradiance, plan, inputs.planes.stride);
+  makeFeatures(columns, guide, inputs.viewAxis, anchor, scale);
+  const float3L color =
+      gatherLanes3(inputs.irradiance + 3 * QUELL_SIGNAL * inputs.planes.stride, plan, inputs.planes.stride);
   columns[QUELL_GRAM_FEATURES] = color.x;
   columns[QUELL_GRAM_FEATURES + 1] = color.y;
   columns[QUELL_GRAM_FEATURES + 2] = color.z;

@@ -33,8 +33,9 @@ __kernel void remodulate(__global const float* filtered, __global const float* g
   const int lanes = min(QUELL_LANES, planes.width - x);
   const int index = planeIndex(planes, x, y);
 
-  const Material material = LOAD_MATERIAL(params.material, x, y, lanes);
+  const float3L position = loadLanes3(guides + QUELL_GUIDE_POSITION * planes.stride, index, planes.stride);
   const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * planes.stride, index, planes.stride);
+  const Material material = LOAD_MATERIAL(params.material, position, normal, x, y, lanes);
   const intL surface = dot3(normal, normal) > 0.0f;
   float3L radianceOut = material.emission;
   for (int s = 0; s < QUELL_SIGNALS; ++s) {

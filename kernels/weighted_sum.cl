@@ -1,11 +1,13 @@
 // weighted_sum: evaluates the block's fit with the noise-free features.
 // Paper:   Koskela et al. 2019, eq. (6): the synthesis uses the noise-free buffers T; negative results are clamped to 0
 //          as in the reference implementation.
-// In:      records of the stage fit, guides of this frame. Out: fitted irradiance (3 planes), >= 0; 0 at background.
+// In:      records of the stage fit, guides of this frame. Out: fitted irradiance (3 planes per signal, of which
+//          those of QUELL_SIGNAL are written), >= 0; 0 at background.
 // Grid:    work-items follow the displaced blocks, so that all lanes of one share a record; the parts of them outside
 //          the image fall into the margins of the planes.
 #include "accumulate_noisy_params.h"
 #include "common/fit_features.h"
+#include "common/guides.h"
 #include "common/planes.h"
 #include "fit_params.h"
 
@@ -38,5 +40,6 @@ __kernel void weighted_sum(__global const float* records, __global const float* 
 #endif
   const float3L sum = evaluateFit(record, guide, params.viewAxis);
   const intL surface = dot3(guide.normal, guide.normal) > 0.0f && isFinite3(sum);
-  storeLanes3(select3(surface, clamp3(sum, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f)), fitted, index, stride);
+  storeLanes3(select3(surface, clamp3(sum, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f)),
+              fitted + 3 * QUELL_SIGNAL * stride, index, stride);
 }

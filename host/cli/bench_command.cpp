@@ -18,7 +18,7 @@ namespace quell::cli {
 namespace {
 
 // Settings varied so often that they have an option of their own.
-constexpr const char* kShorthands[] = {"solver", "windows"};
+constexpr const char* kShorthands[] = {"solver", "windows", "features"};
 constexpr char kSeparator = ',';
 
 struct BenchOptions {
@@ -58,11 +58,13 @@ void addPlanOptions(CLI::App& command, BenchOptions& options) {
   for (Variation& shorthand : options.shorthands) {
     command
         .add_option("--" + shorthand.setting, shorthand.values,
-                    fmt::format("Short for --vary {}=...", shorthand.setting))
-        ->delimiter(kSeparator);
+                    fmt::format("Short for --vary {}=..., values separated by {}", shorthand.setting,
+                                valueSeparator(shorthand.setting) == ';' ? "semicolons" : "commas"))
+        ->delimiter(valueSeparator(shorthand.setting));
   }
   command.add_option("--vary", options.variations,
-                     "A setting and its values, name=value,value; may be repeated: all combinations are run, "
+                     "A setting and its values, name=value,value (texts: separated by semicolons); may be "
+                     "repeated: all combinations are run, "
                      "save those that the library refuses. A method without the setting ignores it");
 }
 

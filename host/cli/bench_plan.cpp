@@ -70,11 +70,19 @@ BenchInput openInput(std::unique_ptr<io::FrameSequence> sequence, int mostFrames
 
 }  // namespace
 
+char valueSeparator(const std::string& setting) {
+  for (const std::string& method : methodNames())
+    for (const SettingDescription& description : methodSettings(method))
+      if (description.name == setting && description.kind == SettingKind::Text) return ';';
+  return ',';
+}
+
 Variation parseVariation(const std::string& text) {
   const auto [setting, values] = parseAssignment(kCommand, "--vary", text);
   Variation variation = {setting, {}};
   std::istringstream list(values);
-  for (std::string value; std::getline(list, value, ',');) variation.values.push_back(value);
+  for (std::string value; std::getline(list, value, valueSeparator(setting));)
+    variation.values.push_back(value);
   if (variation.values.empty()) refuse(kCommand, "--vary", "name=value,value", text);
   return variation;
 }

@@ -17,6 +17,9 @@ struct Variation {
   std::vector<std::string> values;  ///< at least one
 };
 
+/// What stands between the values of a setting: a comma, or a semicolon where values are texts that contain commas.
+char valueSeparator(const std::string& setting);
+
 /// Reads "name=value,value". Throws Error(InvalidArgument).
 Variation parseVariation(const std::string& text);
 

@@ -10,6 +10,9 @@ void addDenoiseCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
+void addFBetaCommand(CLI::App& app);
+void addSelectFeaturesCommand(CLI::App& app);
 void addStressCommand(CLI::App& app);
+void addRenderCommand(CLI::App& app);
 
 }  // namespace quell::cli

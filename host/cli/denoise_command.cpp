@@ -32,6 +32,7 @@ struct DenoiseOptions {
   std::string taa;
   std::string preset = "default";
   std::string demodulate;
+  std::string features;
   std::string timers = "device";
   std::string json;
   std::vector<std::string> settings;
@@ -72,6 +73,7 @@ Settings makeSettings(const DenoiseOptions& options, const io::FrameSequence& se
   if (options.preset != "default") settings.usePreset(options.preset);
   if (!options.taa.empty()) settings.set("taa", options.taa);
   if (!options.demodulate.empty()) settings.set("demodulate", options.demodulate);
+  if (!options.features.empty()) settings.set("features", options.features);
   for (const std::string& assignment : options.settings) {
     const auto [name, value] = parseAssignment(kCommand, "--set", assignment);
     settings.set(name, value);
@@ -153,6 +155,7 @@ void addDenoiseCommand(CLI::App& app) {
   command->add_option("--preset", options->preset, "Settings to start from: default, or those of the paper")
       ->check(CLI::IsMember({"default", "paper"}))
       ->capture_default_str();
+  command->add_option("--features", options->features, "Features of the fit, short for --set features=...");
   command->add_option("--set", options->settings, "A setting of the method, name=value; may be repeated");
   command->add_option("--timers", options->timers, "Where stage times come from")
       ->check(CLI::IsMember({"device", "host", "off"}))

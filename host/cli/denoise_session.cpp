@@ -27,6 +27,7 @@ constexpr InputImage kInputs[] = {
     {&io::FrameData::glossColor, &Frame::glossColor},
     {&io::FrameData::emission, &Frame::emission},
     {&io::FrameData::roughness, &Frame::roughness},
+    {&io::FrameData::f0, &Frame::f0},
 };
 
 std::size_t bytesOf(const io::Image& image) { return image.pixels.size() * sizeof(float); }

@@ -1,4 +1,4 @@
-// Progress of a command: a bar on a terminal, plain lines otherwise.
+// Progress of a command on standard error.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,7 @@
 
 namespace quell::cli {
 
+/// A bar on a terminal, plain lines otherwise.
 class Progress {
  public:
   /// `label` starts the line; `total` steps, >= 1. Writes to standard error.
@@ -20,6 +21,22 @@ class Progress {
   std::size_t m_total;
   std::size_t m_done = 0;
   bool m_terminal;
+};
+
+/// A bar on a terminal, nothing otherwise; for work whose pieces differ in size.
+class ShareProgress {
+ public:
+  /// `label` starts the line.
+  explicit ShareProgress(std::string label);
+  ~ShareProgress();
+
+  /// `share` of all work is done, in [0, 1]; `detail` says what was done last.
+  void show(double share, const std::string& detail);
+
+ private:
+  std::string m_label;
+  bool m_terminal;
+  bool m_shown = false;
 };
 
 }  // namespace quell::cli

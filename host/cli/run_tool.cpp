@@ -17,7 +17,10 @@ int runTool(int argc, const char* const* argv) {
   addCompareCommand(app);
   addBenchCommand(app);
   addDevicesCommand(app);
+  addFBetaCommand(app);
+  addSelectFeaturesCommand(app);
   addStressCommand(app);
+  addRenderCommand(app);
   try {
     app.parse(argc, argv);
     return 0;

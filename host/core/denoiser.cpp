@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "host/core/cl_error.hpp"
+#include "host/core/f_beta_table.hpp"
 #include "host/core/frame_images.hpp"
 #include "host/core/frame_timer.hpp"
 #include "host/core/reprojection.hpp"
@@ -158,6 +159,7 @@ class Denoiser::Implementation {
     m_configuration.frame = frame;
     m_configuration.output = output;
     try {
+      m_configuration.fBetaTable = makeFBetaTable();
       m_schedule = m_method.makeSchedule(m_configuration);
       const KernelBuilder builder(m_context, m_device, m_cache, m_configuration);
       for (StageRow& row : m_schedule.stages) row.stage->build(builder);
@@ -198,6 +200,12 @@ class Denoiser::Implementation {
   const Settings& settings() const { return m_configuration.settings; }
 
  private:
+  cl::Buffer makeFBetaTable() const {
+    if (!dividesByFBeta(m_configuration)) return {};
+    return FBetaTable(m_context, m_device, m_queue, m_configuration.device, m_cache, Shadowing::Separable)
+        .buffer();
+  }
+
   static cl_event retain(cl_event event) {
     clRetainEvent(event);
     return event;
@@ -230,6 +238,7 @@ class Denoiser::Implementation {
     m_lastEvent = cl::Event();
     m_timer.reset();
     m_buffers = BufferSet();
+    m_configuration.fBetaTable = cl::Buffer();
   }
 
   // A frame that failed leaves no history, and nothing may wait for it: that would fail as well.

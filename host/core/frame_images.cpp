@@ -1,36 +1,54 @@
 #include "host/core/frame_images.hpp"
 
+#include <quell/error.hpp>
+
 namespace quell {
+
+bool dividesByFBeta(const Configuration& configuration) {
+  if (configuration.settings.text("demodulate") != "fbeta") return false;
+  if (!configuration.frame.roughness.present())
+    throw Error(ErrorCode::InvalidArgument,
+                {"prepare", "roughness", "an image, since light is divided by F_beta", "none"});
+  return true;
+}
 
 std::string materialOptions(const Configuration& configuration) {
   const Frame& frame = configuration.frame;
   return layoutOptions("RADIANCE", frame.radiance) + layoutOptions("GLOSSYRADIANCE", frame.glossyRadiance) +
          layoutOptions("EMISSION", frame.emission) + layoutOptions("ALBEDO", frame.albedo) +
-         layoutOptions("GLOSSCOLOR", frame.glossColor) +
-         " -D QUELL_SIGNALS=" + std::to_string(signalCount(frame)) +
+         layoutOptions("GLOSSCOLOR", frame.glossColor) + layoutOptions("ROUGHNESS", frame.roughness) +
+         layoutOptions("F0", frame.f0) + " -D QUELL_SIGNALS=" + std::to_string(signalCount(frame)) +
          (frame.demodulated ? " -D DEMODULATED=1" : " -D DEMODULATED=0") +
-         (configuration.settings.text("demodulate") == "none" ? " -D DEMODULATE=0" : " -D DEMODULATE=1");
+         " -D DEMODULATE=" + std::to_string(static_cast<int>(configuration.settings.get("demodulate")));
 }
 
-MaterialParams makeMaterialParams(const Frame& frame) {
+MaterialParams makeMaterialParams(const Frame& frame, const ReprojectionParams& reprojection) {
   MaterialParams params{};
+  const QuellFloat4& w = reprojection.clipW;
+  params.viewAxis = reprojection.viewDepth;
+  params.viewAxis.w = w.x == 0.0f && w.y == 0.0f && w.z == 0.0f ? 1.0f : 0.0f;
   params.radiance = makeViewParams(frame.radiance, frame.size);
   params.glossyRadiance = makeViewParams(frame.glossyRadiance, frame.size);
   params.emission = makeViewParams(frame.emission, frame.size);
   params.albedo = makeViewParams(frame.albedo, frame.size);
   params.glossColor = makeViewParams(frame.glossColor, frame.size);
+  params.roughness = makeViewParams(frame.roughness, frame.size);
+  params.f0 = makeViewParams(frame.f0, frame.size);
   return params;
 }
 
-std::uint64_t materialBytes(const Frame& frame) {
+std::uint64_t materialBytes(const Configuration& configuration) {
+  const Frame& frame = configuration.frame;
+  const std::uint64_t fBeta = dividesByFBeta(configuration)
+                                  ? imageBytes(frame.roughness, frame.size) + imageBytes(frame.f0, frame.size)
+                                  : 0;
   return imageBytes(frame.radiance, frame.size) + imageBytes(frame.glossyRadiance, frame.size) +
          imageBytes(frame.emission, frame.size) + imageBytes(frame.albedo, frame.size) +
-         imageBytes(frame.glossColor, frame.size);
+         imageBytes(frame.glossColor, frame.size) + fBeta;
 }
 
 std::string surfaceOptions(const Frame& frame) {
   return layoutOptions("NORMAL", frame.normalWorld) + layoutOptions("POSITION", positionView(frame)) +
-         layoutOptions("ROUGHNESS", frame.roughness) +
          (frame.positionWorld.present() ? " -D POSITION_IS_DEPTH=0" : " -D POSITION_IS_DEPTH=1");
 }
 
@@ -38,7 +56,6 @@ SurfaceParams makeSurfaceParams(const Frame& frame) {
   SurfaceParams params{};
   params.normal = makeViewParams(frame.normalWorld, frame.size);
   params.position = makeViewParams(positionView(frame), frame.size);
-  params.roughness = makeViewParams(frame.roughness, frame.size);
   return params;
 }
 

@@ -19,10 +19,15 @@ struct FrameImage {
 };
 /// All of them. A new one is added here; validation, warm-up and tests follow.
 constexpr FrameImage kFrameImages[] = {
-    {"radiance", &Frame::radiance, 1, 4},       {"glossyRadiance", &Frame::glossyRadiance, 1, 4},
-    {"normalWorld", &Frame::normalWorld, 3, 4}, {"positionWorld", &Frame::positionWorld, 3, 4},
-    {"viewDepth", &Frame::viewDepth, 1, 1},     {"albedo", &Frame::albedo, 1, 4},
-    {"glossColor", &Frame::glossColor, 1, 4},   {"roughness", &Frame::roughness, 1, 1},
+    {"radiance", &Frame::radiance, 1, 4},
+    {"glossyRadiance", &Frame::glossyRadiance, 1, 4},
+    {"normalWorld", &Frame::normalWorld, 3, 4},
+    {"positionWorld", &Frame::positionWorld, 3, 4},
+    {"viewDepth", &Frame::viewDepth, 1, 1},
+    {"albedo", &Frame::albedo, 1, 4},
+    {"glossColor", &Frame::glossColor, 1, 4},
+    {"roughness", &Frame::roughness, 1, 1},
+    {"f0", &Frame::f0, 1, 4},
     {"emission", &Frame::emission, 1, 4},
 };
 
@@ -34,13 +39,16 @@ inline const ImageView& positionView(const Frame& frame) {
   return frame.positionWorld.present() ? frame.positionWorld : frame.viewDepth;
 }
 
-/// Compile options for light and what it is divided by. `demodulate`: see demodulationSetting().
-std::string materialOptions(const Configuration& configuration);
-MaterialParams makeMaterialParams(const Frame& frame);
-/// Bytes of light and what it is divided by.
-std::uint64_t materialBytes(const Frame& frame);
+/// True if the setting `demodulate` asks for F_beta. Throws Error(InvalidArgument) without a roughness image.
+bool dividesByFBeta(const Configuration& configuration);
 
-/// Compile options for normal, position and roughness.
+/// Compile options for light and what it is divided by, as the setting `demodulate` says.
+std::string materialOptions(const Configuration& configuration);
+MaterialParams makeMaterialParams(const Frame& frame, const ReprojectionParams& reprojection);
+/// Bytes of light and what it is divided by.
+std::uint64_t materialBytes(const Configuration& configuration);
+
+/// Compile options for normal and position.
 std::string surfaceOptions(const Frame& frame);
 SurfaceParams makeSurfaceParams(const Frame& frame);
 

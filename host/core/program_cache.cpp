@@ -1,35 +1,17 @@
 #include "host/core/program_cache.hpp"
 
-#include <atomic>
-#include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <quell/error.hpp>
-#include <random>
-#include <vector>
 
 #include "host/core/cl_error.hpp"
 
 namespace quell {
 namespace {
 
-using Binary = std::vector<unsigned char>;
-
-// First bytes of a disk entry; the number changes with the layout.
-constexpr char kMagic[] = "quell program cache 1\n";
-
-// FNV-1a, 64 bits (Fowler, Noll, Vo): names files and finds damage; the key itself is compared in full.
-std::uint64_t hashBytes(const void* data, std::size_t size, std::uint64_t hash = 0xcbf29ce484222325ull) {
-  const auto* bytes = static_cast<const unsigned char*>(data);
-  for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3ull;
-  return hash;
-}
+using Binary = DiskCache::Bytes;
 
 // Binaries only: OpenCL objects here would outlive their contexts.
 struct Memory {
@@ -42,68 +24,6 @@ Memory& memory() {
   static Memory* const instance =
       new Memory;  // never destroyed: threads may still build while the process ends
   return *instance;
-}
-
-template <class Number>
-void append(Binary& bytes, Number value) {
-  const auto* raw = reinterpret_cast<const unsigned char*>(&value);
-  bytes.insert(bytes.end(), raw, raw + sizeof(value));
-}
-
-Binary diskEntry(const std::string& key, const Binary& binary) {
-  Binary entry(kMagic, kMagic + sizeof(kMagic) - 1);
-  append(entry, static_cast<std::uint64_t>(key.size()));
-  append(entry, static_cast<std::uint64_t>(binary.size()));
-  append(entry, hashBytes(binary.data(), binary.size()));
-  entry.insert(entry.end(), key.begin(), key.end());
-  entry.insert(entry.end(), binary.begin(), binary.end());
-  return entry;
-}
-
-std::string entryPath(const std::string& directory, const std::string& key) {
-  char name[32];
-  std::snprintf(name, sizeof(name), "%016llx.bin",
-                static_cast<unsigned long long>(hashBytes(key.data(), key.size())));
-  return (std::filesystem::path(directory) / name).string();
-}
-
-Binary readFile(const std::string& path) {
-  try {
-    std::ifstream file(path, std::ios::binary);
-    return Binary((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  } catch (const std::ios_base::failure&) {
-    return {};  // a directory, a broken disk
-  }
-}
-
-// An entry is trusted only if rebuilding it from its own parts gives the same bytes and the key is ours.
-std::optional<Binary> readEntry(const std::string& path, const std::string& key) {
-  const Binary entry = readFile(path);
-  const std::size_t header = sizeof(kMagic) - 1 + 3 * sizeof(std::uint64_t);
-  if (entry.size() < header + key.size()) return std::nullopt;
-  const Binary binary(entry.begin() + static_cast<std::ptrdiff_t>(header + key.size()), entry.end());
-  if (binary.empty() || diskEntry(key, binary) != entry) return std::nullopt;
-  return binary;
-}
-
-// Best effort: a full or read-only disk must not stop anybody from denoising.
-void writeEntry(const std::string& directory, const std::string& key, const Binary& binary) {
-  std::error_code ignored;
-  std::filesystem::create_directories(directory, ignored);
-  const std::string path = entryPath(directory, key);
-  const std::string temporary = path + "." + std::to_string(std::random_device{}()) + ".tmp";
-  {
-    std::ofstream file(temporary, std::ios::binary);
-    const Binary entry = diskEntry(key, binary);
-    file.write(reinterpret_cast<const char*>(entry.data()), static_cast<std::streamsize>(entry.size()));
-    file.close();
-    if (!file) {
-      std::filesystem::remove(temporary, ignored);
-      return;
-    }
-  }
-  std::filesystem::rename(temporary, path, ignored);
-  if (ignored) std::filesystem::remove(temporary, ignored);
 }
 
 std::optional<cl::Program> fromBinary(const cl::Context& context, const cl::Device& device,
@@ -166,18 +86,16 @@ cl::Program ProgramCache::build(const cl::Context& context, const cl::Device& de
       return *program;
     }
   }
-  if (!m_directory.empty()) {
-    if (const auto binary = readEntry(entryPath(m_directory, key), key)) {
-      if (auto program = fromBinary(context, device, *binary, options)) {
-        remember(key, *binary, &ProgramCacheCounters::fromDisk);
-        return *program;
-      }
+  if (const auto binary = m_disk.read(key)) {
+    if (auto program = fromBinary(context, device, *binary, options)) {
+      remember(key, *binary, &ProgramCacheCounters::fromDisk);
+      return *program;
     }
   }
   const cl::Program program = fromSource(context, device, stage, source, options);
   const Binary binary = binaryOf(program, device);
   remember(key, binary, &ProgramCacheCounters::built);
-  if (!m_directory.empty() && !binary.empty()) writeEntry(m_directory, key, binary);
+  m_disk.write(key, binary);
   return program;
 }
 

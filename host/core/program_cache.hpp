@@ -4,6 +4,7 @@
 #include <string>
 
 #include "host/core/device_traits.hpp"
+#include "host/core/disk_cache.hpp"
 #include "host/core/opencl.hpp"
 
 namespace quell {
@@ -15,24 +16,25 @@ struct ProgramCacheCounters {
   int fromDisk = 0;    ///< from the cache directory
 };
 
-/// Thread-safe. A disk entry carries its whole key (device, driver, options, source) and a checksum; one that
-/// does not match to the last byte is rebuilt and replaced. Entries are written to a temporary name and
-/// renamed, so two processes may start together. A cache directory that cannot be written is ignored.
+/// Thread-safe. A program's key is device, driver, options and source; entries on disk are those of a DiskCache.
 class ProgramCache {
  public:
   /// `directory` empty: no disk cache.
-  explicit ProgramCache(std::string directory) : m_directory(std::move(directory)) {}
+  explicit ProgramCache(std::string directory) : m_disk(std::move(directory)) {}
 
   /// Throws Error(BuildFailed) with the build log; `stage` names the culprit.
   cl::Program build(const cl::Context& context, const cl::Device& device, const DeviceTraits& traits,
                     const std::string& stage, const std::string& source, const std::string& options) const;
+
+  /// Where programs are kept from one process to the next, for other results that belong beside them.
+  const DiskCache& disk() const { return m_disk; }
 
   static ProgramCacheCounters counters();
   /// Drops the binaries held in memory (not those on disk).
   static void clearMemory();
 
  private:
-  std::string m_directory;
+  DiskCache m_disk;
 };
 
 /// $XDG_CACHE_HOME/quell, else $HOME/.cache/quell, else empty.

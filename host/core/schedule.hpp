@@ -44,8 +44,9 @@ struct Configuration {
   DeviceTraits device;
   Options options;
   Settings settings;
-  Frame frame;    ///< layouts only
-  Output output;  ///< layouts only
+  Frame frame;                 ///< layouts only
+  Output output;               ///< layouts only
+  cl::Buffer fBetaTable = {};  ///< empty unless light is divided by F_beta; see FBetaTable
 
   Size size() const { return frame.size; }
 };

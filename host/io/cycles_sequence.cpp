@@ -70,6 +70,7 @@ CyclesSequence::CyclesSequence(std::string directory, int signals)
   m_hasGlossColor = hasFrameFiles(m_directory, filesOf("gloss_color"), m_frames);
   m_hasEmission = hasFrameFiles(m_directory, filesOf("emission"), m_frames);
   m_hasRoughness = hasFrameFiles(m_directory, filesOf("roughness"), m_frames);
+  m_hasF0 = hasFrameFiles(m_directory, filesOf("f0"), m_frames);
 
   const ExrHeader first = readExrHeader(joinPath(m_directory, filesOf("color")(m_frames.front())));
   m_width = first.width;
@@ -99,6 +100,7 @@ FrameData CyclesSequence::read(int frame) const {
   if (m_hasAlbedo) data.albedo = readBuffer("albedo", frame);
   if (m_hasGlossColor) data.glossColor = readBuffer("gloss_color", frame);
   if (m_hasEmission) data.emission = readBuffer("emission", frame);
+  if (m_hasF0) data.f0 = readBuffer("f0", frame);
   if (m_hasRoughness)
     data.roughness = readGreyOfSize(joinPath(m_directory, filesOf("roughness")(frame)), m_width, m_height);
   return data;

@@ -11,6 +11,7 @@
 #include <half.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -103,7 +104,14 @@ ChannelNames namesForWriting(int channels) {
 /// Half range with NaN kept: every comparison with NaN is false, so std::clamp returns it.
 half toHalf(float value) { return half(std::clamp(value, -kHalfMax, kHalfMax)); }
 
-/// Encodes samples of type T (half or float), interleaved like Image, as a complete file in memory.
+/// The largest float below 2^32.
+constexpr float kUintMax = 4294967040.0f;
+
+std::uint32_t toUint(float value) {
+  return value > 0.0f ? static_cast<std::uint32_t>(std::min(std::round(value), kUintMax)) : 0u;
+}
+
+/// Encodes samples of type T (half, float or std::uint32_t), interleaved like Image, as a complete file in memory.
 template <typename T>
 std::string encode(const Image& shape, const T* samples, Imf::PixelType type) {
   const ChannelNames names = namesForWriting(shape.channels);
@@ -127,6 +135,11 @@ std::string encode(const Image& shape, const T* samples, Imf::PixelType type) {
 
 std::string encode(const Image& image, ExrType type) {
   if (type == ExrType::Float) return encode(image, image.pixels.data(), Imf::FLOAT);
+  if (type == ExrType::Uint) {
+    std::vector<std::uint32_t> ids(image.pixels.size());
+    std::transform(image.pixels.begin(), image.pixels.end(), ids.begin(), toUint);
+    return encode(image, ids.data(), Imf::UINT);
+  }
   std::vector<half> samples(image.pixels.size());
   std::transform(image.pixels.begin(), image.pixels.end(), samples.begin(), toHalf);
   return encode(image, samples.data(), Imf::HALF);

@@ -8,8 +8,8 @@
 
 namespace quell::io {
 
-/// How samples are stored. Half: 10 bits of mantissa, |value| <= 65504.
-enum class ExrType { Half, Float };
+/// How samples are stored. Half: 10 bits of mantissa, |value| <= 65504. Uint: 32 bits, whole numbers.
+enum class ExrType { Half, Float, Uint };
 
 /// What a file says about itself, without its pixels.
 struct ExrHeader {
@@ -38,7 +38,8 @@ Image readExrRgb(const std::string& path);
 void requireSize(const Image& image, int width, int height, const std::string& path);
 
 /// Writes 3 channels as R G B, 2 as R G, or 1 as Y; ZIP compressed, atomically (see atomic_file.hpp).
-/// Half: values beyond the range, Inf included, become +-65504; NaN stays NaN. Float: exact.
+/// Half: values beyond the range, Inf included, become +-65504; NaN stays NaN. Float: exact. Uint: rounded to the
+/// nearest whole number in [0, 2^32 - 256], NaN becomes 0; a float in memory is exact up to 2^24.
 /// Throws Error(InvalidArgument) for an empty image or another channel count, Error(FileError) if writing
 /// fails.
 void writeExr(const std::string& path, const Image& image, ExrType type = ExrType::Half);

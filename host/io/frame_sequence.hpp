@@ -24,6 +24,7 @@ struct FrameData {
   Image albedo;          ///< 3 channels, optional
   Image glossColor;      ///< 3 channels, optional
   Image emission;        ///< 3 channels, optional
+  Image f0;              ///< 3 channels, Fresnel reflectance at normal incidence, optional
   Image roughness;       ///< 1 channel, 0 to 1, optional; alpha of GGX is its square
   /// True where light is already divided by albedo and gloss colour (two signals, and the layout published with
   /// the BMFR paper).

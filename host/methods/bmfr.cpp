@@ -129,9 +129,7 @@ void checkText(const std::string& setting, const std::string& text) {
 
 Schedule makeSchedule(const Configuration& configuration) {
   const Settings& s = configuration.settings;
-  if (signalCount(configuration.frame) != 1)
-    throw Error(ErrorCode::InvalidArgument,
-                {"prepare", "glossyRadiance", "one signal with the method bmfr", "two"});
+  const int signals = signalCount(configuration.frame);
   const auto storage = static_cast<FeatureStorage>(static_cast<int>(s.get("featureStorage")));
   const bool gram = s.text("solver") == "gram";
   const GramWindows windows = makeWindows(s);
@@ -140,14 +138,14 @@ Schedule makeSchedule(const Configuration& configuration) {
 
   Schedule schedule;
   schedule.buffers = {
-      history("irradiance", Element::Float32, 3),
-      history("historyLength", Element::UInt8, 1),
-      history("guides", Element::Float32, QUELL_GUIDE_PLANES),
-      history("filtered", Element::Float32, 3),
+      history("irradiance", Element::Float32, 3 * signals),
+      history("historyLength", Element::UInt8, signals),
+      history("guides", Element::Float32, QUELL_GUIDE_WEIGHT + signals),
+      history("filtered", Element::Float32, 3 * signals),
       transient("pixelPrev", Element::Float32, 2),
-      transient("reprojectionMask", Element::UInt8, 1),
+      transient("reprojectionMask", Element::UInt8, signals),
       transient("materials", Element::Float32, QUELL_MATERIAL_PLANES),
-      transient("fitted", Element::Float32, 3),
+      transient("fitted", Element::Float32, 3 * signals),
       elements("fitRecords",
                gram ? gramRecordElements(windows, size, features) : Fit::recordElements(size, features)),
       elements("gramTiles", gramTileElements(windows, size, features)),
@@ -169,26 +167,28 @@ Schedule makeSchedule(const Configuration& configuration) {
         {"materials"});
     guides.push_back("materials");
   }
-  if (gram) {
-    add(std::make_unique<GramSums>(windows, features),
-        joinedNames({"irradiance"}, guides),
-        {"gramTiles"});
-    add(std::make_unique<GramSolve>(windows, s.get("noiseAmplitude"), features),
-        {"gramTiles"},
-        {"fitRecords"});
-  } else {
-    add(std::make_unique<Fit>(s.get("noiseAmplitude"), storage, features),
-        joinedNames({"irradiance"}, guides),
-        {"fitRecords", "fitStorage"});
-  }
-  if (windows.overlap) {
-    add(std::make_unique<BlendedSum>(windows, features),
-        joinedNames({"fitRecords"}, guides),
-        {"fitted"});
-  } else {
-    add(std::make_unique<WeightedSum>(features),
-        joinedNames({"fitRecords"}, guides),
-        {"fitted"});
+  for (int signal = 0; signal < signals; ++signal) {
+    if (gram) {
+      add(std::make_unique<GramSums>(windows, features, signal),
+          joinedNames({"irradiance"}, guides),
+          {"gramTiles"});
+      add(std::make_unique<GramSolve>(windows, s.get("noiseAmplitude"), features),
+          {"gramTiles"},
+          {"fitRecords"});
+    } else {
+      add(std::make_unique<Fit>(s.get("noiseAmplitude"), storage, features, signal),
+          joinedNames({"irradiance"}, guides),
+          {"fitRecords", "fitStorage"});
+    }
+    if (windows.overlap) {
+      add(std::make_unique<BlendedSum>(windows, features, signal),
+          joinedNames({"fitRecords"}, guides),
+          {"fitted"});
+    } else {
+      add(std::make_unique<WeightedSum>(features, signal),
+          joinedNames({"fitRecords"}, guides),
+          {"fitted"});
+    }
   }
   add(std::make_unique<AccumulateFiltered>(s.get("filteredLeastWeight")),
       {"fitted", "filtered.prev", "pixelPrev", "reprojectionMask", "historyLength"},

@@ -1,9 +1,12 @@
 #include "host/stages/accumulate_filtered.hpp"
 
+#include "host/core/frame_images.hpp"
+
 namespace quell {
 
 void AccumulateFiltered::build(const KernelBuilder& builder) {
-  m_kernel = builder.build("accumulate_filtered", "");
+  m_kernel = builder.build("accumulate_filtered",
+                           "-D QUELL_SIGNALS=" + std::to_string(signalCount(builder.configuration().frame)));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 

@@ -22,13 +22,14 @@ void AccumulateNoisy::enqueue(FrameRun& run) {
   AccumulateNoisyParams params{};
   params.reprojection = run.reprojection;
   params.planes = makePlanes(frame.size);
-  params.material = makeMaterialParams(frame);
+  params.material = makeMaterialParams(frame, run.reprojection);
   params.surface = makeSurfaceParams(frame);
   params.leastWeight = static_cast<float>(m_setup.leastWeight);
   params.momentsLeastWeight = static_cast<float>(m_setup.momentsLeastWeight);
   run.launch(m_kernel, run.pixelRange(), m_workGroup, frame.radiance, frame.glossyRadiance, frame.emission,
-             frame.albedo, frame.glossColor, frame.normalWorld, positionView(frame), frame.roughness,
-             run.buffer(m_setup.irradiancePrev), run.buffer("historyLength.prev"), run.buffer("guides.prev"),
+             frame.albedo, frame.glossColor, frame.roughness, frame.f0, run.configuration.fBetaTable,
+             frame.normalWorld, positionView(frame), run.buffer(m_setup.irradiancePrev),
+             run.buffer("historyLength.prev"), run.buffer("guides.prev"),
              bufferIf(hasMoments(), "moments.prev"), run.buffer("irradiance"), run.buffer("historyLength"),
              run.buffer("guides"), bufferIf(hasMoments(), "moments"), run.buffer("pixelPrev"),
              run.buffer("reprojectionMask"), bufferIf(m_setup.filterGuides, "viewDepth"),
@@ -37,7 +38,7 @@ void AccumulateNoisy::enqueue(FrameRun& run) {
 
 std::uint64_t AccumulateNoisy::callerBytes(const Configuration& configuration) const {
   const Frame& frame = configuration.frame;
-  return materialBytes(frame) + imageBytes(frame.normalWorld, frame.size) +
+  return materialBytes(configuration) + imageBytes(frame.normalWorld, frame.size) +
          imageBytes(positionView(frame), frame.size) +
          (m_setup.filterGuides ? imageBytes(frame.roughness, frame.size) : 0);
 }

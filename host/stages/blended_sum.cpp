@@ -7,8 +7,8 @@
 namespace quell {
 
 void BlendedSum::build(const KernelBuilder& builder) {
-  m_kernel = builder.build("blended_sum",
-                           m_features.options() + "-D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge));
+  m_kernel = builder.build("blended_sum", m_features.options() + signalOptions(m_signal) +
+                                              "-D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 

@@ -8,8 +8,9 @@ namespace quell {
 /// See kernels/blended_sum.cl for what it computes, from what and after which paper.
 class BlendedSum : public Stage {
  public:
-  BlendedSum(const GramWindows& windows, const FitFeatures& features)
-      : m_windows(windows), m_features(features) {}
+  /// `signal`: the one that is fitted, 0 or 1.
+  BlendedSum(const GramWindows& windows, const FitFeatures& features, int signal)
+      : m_windows(windows), m_features(features), m_signal(signal) {}
   std::string name() const override { return "blended_sum"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
@@ -18,6 +19,7 @@ class BlendedSum : public Stage {
  private:
   GramWindows m_windows;
   FitFeatures m_features;
+  int m_signal;
   cl::Kernel m_kernel;
   cl::NDRange m_workGroup;
 };

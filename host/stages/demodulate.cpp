@@ -16,17 +16,18 @@ void Demodulate::enqueue(FrameRun& run) {
   DemodulateParams params{};
   params.reprojection = run.reprojection;
   params.planes = makePlanes(frame.size);
-  params.material = makeMaterialParams(frame);
+  params.material = makeMaterialParams(frame, run.reprojection);
   params.surface = makeSurfaceParams(frame);
   run.launch(m_kernel, run.pixelRange(), m_workGroup, frame.radiance, frame.glossyRadiance, frame.emission,
-             frame.albedo, frame.glossColor, frame.normalWorld, positionView(frame), frame.roughness,
-             run.buffer("irradiance"), run.buffer("guides"), run.buffer("viewDepth"),
-             frame.roughness.present() ? run.buffer("roughness") : cl::Buffer(), params);
+             frame.albedo, frame.glossColor, frame.roughness, frame.f0, run.configuration.fBetaTable,
+             frame.normalWorld, positionView(frame), run.buffer("irradiance"), run.buffer("guides"),
+             run.buffer("viewDepth"), frame.roughness.present() ? run.buffer("roughness") : cl::Buffer(),
+             params);
 }
 
 std::uint64_t Demodulate::callerBytes(const Configuration& configuration) const {
   const Frame& frame = configuration.frame;
-  return materialBytes(frame) + imageBytes(frame.normalWorld, frame.size) +
+  return materialBytes(configuration) + imageBytes(frame.normalWorld, frame.size) +
          imageBytes(positionView(frame), frame.size) + imageBytes(frame.roughness, frame.size);
 }
 

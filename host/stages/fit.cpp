@@ -53,6 +53,8 @@ std::size_t Fit::storageElements(Size size, FeatureStorage storage, const FitFea
   return static_cast<std::size_t>(blockCount(size)) * columns * QUELL_BLOCK_PIXELS / 2;
 }
 
+std::string signalOptions(int signal) { return "-D QUELL_SIGNAL=" + std::to_string(signal) + " "; }
+
 void Fit::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
   const auto lanes = static_cast<std::size_t>(configuration.device.lanes);
@@ -61,7 +63,8 @@ void Fit::build(const KernelBuilder& builder) {
                          kGpuGroup / lanes);
   for (;; m_groupSize /= 2) {
     m_kernel =
-        builder.build("fit", m_features.options() + "-D FIT_GROUP_SIZE=" + std::to_string(m_groupSize) +
+        builder.build("fit", m_features.options() + signalOptions(m_signal) +
+                                 "-D FIT_GROUP_SIZE=" + std::to_string(m_groupSize) +
                                  " -D FIT_STORAGE_HALF=" + (m_storage == FeatureStorage::Half ? "1" : "0") +
                                  " -D FIT_UNROLL=" + (configuration.device.isCpu ? "0" : "1"));
     if (m_groupSize == 1 || builder.maxWorkGroup(m_kernel) >= m_groupSize) break;

@@ -19,6 +19,9 @@ int blockCount(Size size);
 /// The displaced block grid of one frame. Koskela et al. 2019, phase III: "displaced with random offsets".
 FitParams makeFitParams(Size size, std::uint32_t frameIndex, double noiseAmplitude);
 
+/// Compile options of stages that work on one signal at a time.
+std::string signalOptions(int signal);
+
 /// Buffer behind the materials of a fit: the guides stand in where no feature needs any.
 const cl::Buffer& materialsOf(const FrameRun& run, const FitFeatures& features);
 
@@ -26,8 +29,9 @@ const cl::Buffer& materialsOf(const FrameRun& run, const FitFeatures& features);
 class Fit : public Stage {
  public:
   /// `noiseAmplitude`: epsilon of the stochastic regularisation, scaled feature units, >= 0.
-  Fit(double noiseAmplitude, FeatureStorage storage, const FitFeatures& features)
-      : m_noiseAmplitude(noiseAmplitude), m_storage(storage), m_features(features) {}
+  /// `signal`: the one that is fitted, 0 or 1.
+  Fit(double noiseAmplitude, FeatureStorage storage, const FitFeatures& features, int signal)
+      : m_noiseAmplitude(noiseAmplitude), m_storage(storage), m_features(features), m_signal(signal) {}
   std::string name() const override { return "fit"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
@@ -41,6 +45,7 @@ class Fit : public Stage {
   double m_noiseAmplitude;
   FeatureStorage m_storage;
   FitFeatures m_features;
+  int m_signal;
   std::size_t m_groupSize = 1;
   cl::Kernel m_kernel;
 };

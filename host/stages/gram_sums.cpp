@@ -18,10 +18,11 @@ void GramSums::build(const KernelBuilder& builder) {
   m_groupSize =
       configuration.device.lanes > 1 ? 1 : builder.groupSize(configuration.options.fitGroup, kGpuGroup);
   for (;; m_groupSize /= 2) {
-    m_kernel = builder.build("gram_sums", m_features.gramOptions(m_windows.overlap) +
-                                              "-D GRAM_GROUP_SIZE=" + std::to_string(m_groupSize) +
-                                              " -D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge) +
-                                              " -D GRAM_MIRROR=" + (m_windows.overlap ? "0" : "1"));
+    m_kernel =
+        builder.build("gram_sums", m_features.gramOptions(m_windows.overlap) + signalOptions(m_signal) +
+                                       "-D GRAM_GROUP_SIZE=" + std::to_string(m_groupSize) +
+                                       " -D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge) +
+                                       " -D GRAM_MIRROR=" + (m_windows.overlap ? "0" : "1"));
     if (m_groupSize == 1 || builder.maxWorkGroup(m_kernel) >= m_groupSize) break;
   }
 }

@@ -8,8 +8,9 @@ namespace quell {
 /// See kernels/gram_sums.cl for what it computes, from what and after which paper.
 class GramSums : public Stage {
  public:
-  GramSums(const GramWindows& windows, const FitFeatures& features)
-      : m_windows(windows), m_features(features) {}
+  /// `signal`: the one that is fitted, 0 or 1.
+  GramSums(const GramWindows& windows, const FitFeatures& features, int signal)
+      : m_windows(windows), m_features(features), m_signal(signal) {}
   std::string name() const override { return "gram_sums"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
@@ -18,6 +19,7 @@ class GramSums : public Stage {
  private:
   GramWindows m_windows;
   FitFeatures m_features;
+  int m_signal;
   std::size_t m_groupSize = 1;
   cl::Kernel m_kernel;
 };

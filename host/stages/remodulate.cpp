@@ -16,15 +16,16 @@ void Remodulate::enqueue(FrameRun& run) {
   const Frame& frame = run.frame;
   RemodulateParams params{};
   params.planes = makePlanes(frame.size);
-  params.material = makeMaterialParams(frame);
+  params.material = makeMaterialParams(frame, run.reprojection);
   params.output = makeViewParams(run.output.linear, frame.size);
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer(m_filtered), run.buffer("guides"),
              frame.radiance, frame.glossyRadiance, frame.emission, frame.albedo, frame.glossColor,
+             frame.roughness, frame.f0, run.configuration.fBetaTable,
              m_writePlanes ? run.buffer("linear") : cl::Buffer(), run.output.linear, params);
 }
 
 std::uint64_t Remodulate::callerBytes(const Configuration& configuration) const {
-  return materialBytes(configuration.frame) + imageBytes(configuration.output.linear, configuration.size());
+  return materialBytes(configuration) + imageBytes(configuration.output.linear, configuration.size());
 }
 
 }  // namespace quell

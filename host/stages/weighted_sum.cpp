@@ -5,7 +5,7 @@
 namespace quell {
 
 void WeightedSum::build(const KernelBuilder& builder) {
-  m_kernel = builder.build("weighted_sum", m_features.options());
+  m_kernel = builder.build("weighted_sum", m_features.options() + signalOptions(m_signal));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 

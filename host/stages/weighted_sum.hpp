@@ -9,7 +9,8 @@ namespace quell {
 /// See kernels/weighted_sum.cl for what it computes, from what and after which paper.
 class WeightedSum : public Stage {
  public:
-  explicit WeightedSum(const FitFeatures& features) : m_features(features) {}
+  /// `signal`: the one that is fitted, 0 or 1.
+  WeightedSum(const FitFeatures& features, int signal) : m_features(features), m_signal(signal) {}
   std::string name() const override { return "weighted_sum"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
@@ -17,6 +18,7 @@ class WeightedSum : public Stage {
 
  private:
   FitFeatures m_features;
+  int m_signal;
   cl::Kernel m_kernel;
   cl::NDRange m_workGroup;
 };

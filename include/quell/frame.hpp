@@ -39,6 +39,9 @@ struct Frame {
   /// Roughness of the glossy lobe, 0 (mirror) to 1, 1 channel, optional; the alpha of GGX is its square. Read by
   /// edge stops (setting `roughnessSigma`) and by features that are made of it (setting `features` of bmfr).
   ImageView roughness;
+  /// Fresnel reflectance at normal incidence, 0 to 1; optional, 1 where absent. Read where light is divided by
+  /// F_beta (setting `demodulate`).
+  ImageView f0;
   /// Emitted radiance and visible sky, linear, added back unfiltered; optional.
   ImageView emission;
   /// True where radiance is irradiance already: divided by albedo (glossyRadiance: by gloss colour), emission

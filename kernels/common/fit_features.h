@@ -75,27 +75,32 @@ QUELL_INLINE void makeScaled(floatL* scaled, Guide guide, float4 viewAxis) {
 #undef SCALED
 }
 
-// Features from the variables as makeScaled() left them; these become scaled.
-QUELL_INLINE void makeFeatures(floatL* features, Guide guide, floatL* scaled, const float* anchor,
-                               const float* scale) {
-  for (int k = 0; k < QUELL_SCALED; ++k) scaled[k] = (scaled[k] - anchor[k]) * scale[k];
+// The products that are features; the lists are written out, since loops over them would be left rolled.
+QUELL_INLINE void multiplyFeatures(floatL* features, Guide guide, const floatL* scaled) {
   features[0] = ONE_LANES;
 #define FEATURE(k, value) features[k] = value;
   QUELL_FEATURE_LIST
 #undef FEATURE
 }
 
+// All features of a pixel.
+QUELL_INLINE void makeFeatures(floatL* features, Guide guide, float4 viewAxis, const float* anchor,
+                               const float* scale) {
+  floatL scaled[QUELL_SCALED_SLOTS];
+#define SCALED(k, value) scaled[k] = ((value)-anchor[k]) * scale[k];
+  QUELL_SCALED_LIST
+#undef SCALED
+  multiplyFeatures(features, guide, scaled);
+}
+
 // A record's fit at a pixel, for all channels.
 QUELL_INLINE float3L evaluateFit(__global const float* record, Guide guide, float4 viewAxis) {
   floatL scaled[QUELL_SCALED_SLOTS];
-  makeScaled(scaled, guide, viewAxis);
-  float anchor[QUELL_SCALED_SLOTS], scale[QUELL_SCALED_SLOTS];
-  for (int k = 0; k < QUELL_SCALED; ++k) {
-    anchor[k] = record[QUELL_FIT_ANCHOR + k];
-    scale[k] = record[QUELL_FIT_SCALE + k];
-  }
+#define SCALED(k, value) scaled[k] = ((value)-record[QUELL_FIT_ANCHOR + (k)]) * record[QUELL_FIT_SCALE + (k)];
+  QUELL_SCALED_LIST
+#undef SCALED
   floatL features[QUELL_FEATURES];
-  makeFeatures(features, guide, scaled, anchor, scale);
+  multiplyFeatures(features, guide, scaled);
   float3L sum = splat3(0.0f);
   for (int j = 0; j < QUELL_FEATURES; ++j) {
     sum.x += features[j] * record[j * QUELL_FIT_CHANNELS];

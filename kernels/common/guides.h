@@ -8,6 +8,11 @@
 #define QUELL_GUIDE_WEIGHT 6    // weight as a filter tap, 0 to 1, per signal; 0 where there is no sample
 #define QUELL_GUIDE_PLANES 7    // of one signal
 
+// Which signal a kernel works on that fits one at a time.
+#ifndef QUELL_SIGNAL
+#define QUELL_SIGNAL 0
+#endif
+
 // Planes of the moments of luminance, per signal.
 #define QUELL_MOMENT_FIRST 0
 #define QUELL_MOMENT_SECOND 1

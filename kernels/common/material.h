@@ -2,12 +2,17 @@
 // radiance, divided by albedo, and glossy radiance, divided by gloss colour), as far as the configuration has them.
 //
 // Compile options: QUELL_SIGNALS 1 or 2; DEMODULATED 1 where the caller has divided already; DEMODULATE 0 where light
-// is to be filtered as it is.
+// is to be filtered as it is, 1 where it is divided by albedo and gloss colour, 2 where the gloss colour is multiplied
+// by F_beta before that (Zhuang et al. 2021, eq. (8)); what the caller has divided lacks F_beta still.
 #ifndef QUELL_COMMON_MATERIAL_H
 #define QUELL_COMMON_MATERIAL_H
 
 #include "common/demodulation.h"
+#include "common/f_beta.h"
 #include "common/material_params.h"
+
+#define QUELL_DEMODULATE_ALBEDO 1
+#define QUELL_DEMODULATE_F_BETA 2
 
 typedef struct Signal {
   float3L value;   // without emission, [0, 65504]; 0 where it is broken
@@ -22,24 +27,55 @@ typedef struct Material {
 } Material;
 
 // The images of one frame, in the order of every kernel's arguments.
-#define MATERIAL_ARGUMENTS                                                      \
-  __global const uchar *radianceData, __global const uchar *glossyRadianceData, \
-      __global const uchar *emissionData, __global const uchar *albedoData,     \
-      __global const uchar *glossColorData
-#define LOAD_MATERIAL(params, x, y, lanes)                                                               \
-  loadMaterial(radianceData, glossyRadianceData, emissionData, albedoData, glossColorData, params, x, y, \
-               lanes)
+#define MATERIAL_ARGUMENTS                                                       \
+  __global const uchar *radianceData, __global const uchar *glossyRadianceData,  \
+      __global const uchar *emissionData, __global const uchar *albedoData,      \
+      __global const uchar *glossColorData, __global const uchar *roughnessData, \
+      __global const uchar *f0Data, __global const float4 *fBetaTable
+#define LOAD_MATERIAL(params, position, normal, x, y, lanes)                                              \
+  loadMaterial(radianceData, glossyRadianceData, emissionData, albedoData, glossColorData, roughnessData, \
+               f0Data, fBetaTable, params, position, normal, x, y, lanes)
 
-// A signal that `color` tints: divided by it, unless the caller did so or nobody is to.
-QUELL_INLINE Signal makeSignal(float3L radiance, float3L emission, intL emissionFinite, float3L color) {
+// Roughness in [0, 1] (GGX alpha is its square); 1, the roughness of a diffuse surface, where it is broken.
+QUELL_INLINE floatL loadRoughness(__global const uchar* roughnessData, MaterialParams params, int x, int y,
+                                  int lanes) {
+#if ROUGHNESS_FORMAT
+  const floatL roughness = LOAD_PIXELS(ROUGHNESS, roughnessData, params.roughness, x, y, lanes).x;
+  return isFinite(roughness) ? clampLanes(roughness, 0.0f, 1.0f) : ONE_LANES;
+#else
+  return ONE_LANES;
+#endif
+}
+
+// F_beta of the surface at this camera-relative position; F0 counts as 1 where it is absent.
+QUELL_INLINE float3L loadFBeta(__global const uchar* roughnessData, __global const uchar* f0Data,
+                               __global const float4* fBetaTable, MaterialParams params, float3L position,
+                               float3L normal, int x, int y, int lanes) {
+#if F0_FORMAT
+  const float3L f0 = clamp3(cleanFactor3(LOAD_PIXELS(F0, f0Data, params.f0, x, y, lanes)), 0.0f, 1.0f);
+#else
+  const float3L f0 = splat3(1.0f);
+#endif
+  float3L direction = position;
+  if (params.viewAxis.w != 0.0f) {
+    direction.x = (floatL)(params.viewAxis.x);
+    direction.y = (floatL)(params.viewAxis.y);
+    direction.z = (floatL)(params.viewAxis.z);
+  }
+  return surfaceFBeta3(fBetaTable, direction, normal, loadRoughness(roughnessData, params, x, y, lanes), f0);
+}
+
+// A signal that is tinted by `color`, which the caller may have divided by, and dimmed by `fBeta`.
+QUELL_INLINE Signal makeSignal(float3L radiance, float3L emission, intL emissionFinite, float3L color,
+                               float3L fBeta) {
   Signal signal;
   signal.finite = isFinite3(radiance) && emissionFinite;
   signal.value = cleanSignal(radiance, emission, signal.finite);
 #if DEMODULATED
-  signal.factor = splat3(1.0f);
+  signal.factor = fBeta;
   signal.tint = color;
 #elif DEMODULATE
-  signal.factor = color;
+  signal.factor = multiply3(color, fBeta);
   signal.tint = splat3(1.0f);
 #else
   signal.factor = splat3(1.0f);
@@ -48,14 +84,14 @@ QUELL_INLINE Signal makeSignal(float3L radiance, float3L emission, intL emission
   return signal;
 }
 
-QUELL_INLINE Material loadMaterial(MATERIAL_ARGUMENTS, MaterialParams params, int x, int y, int lanes) {
+QUELL_INLINE Material loadMaterial(MATERIAL_ARGUMENTS, MaterialParams params, float3L position,
+                                   float3L normal, int x, int y, int lanes) {
   Material material;
+  const float3L one = splat3(1.0f);
 #if ALBEDO_FORMAT
   const float3L albedo = cleanFactor3(LOAD_PIXELS(ALBEDO, albedoData, params.albedo, x, y, lanes));
-#endif
-#if GLOSSCOLOR_FORMAT
-  const float3L glossColor =
-      cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes));
+#else
+  const float3L albedo = one;
 #endif
 #if EMISSION_FORMAT
   const float3L emission = LOAD_PIXELS(EMISSION, emissionData, params.emission, x, y, lanes);
@@ -71,26 +107,31 @@ QUELL_INLINE Material loadMaterial(MATERIAL_ARGUMENTS, MaterialParams params, in
 #else
   const float3L included = material.emission;
 #endif
+#if QUELL_SIGNALS == 2 || GLOSSCOLOR_FORMAT
+#if GLOSSCOLOR_FORMAT
+  const float3L glossColor =
+      cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes));
+#else
+  const float3L glossColor = one;
+#endif
+#if DEMODULATE == QUELL_DEMODULATE_F_BETA
+  const float3L fBeta = loadFBeta(roughnessData, f0Data, fBetaTable, params, position, normal, x, y, lanes);
+#else
+  const float3L fBeta = one;
+#endif
+#endif
 
 #if QUELL_SIGNALS == 2
-#if !ALBEDO_FORMAT
-  const float3L albedo = splat3(1.0f);
-#endif
-#if !GLOSSCOLOR_FORMAT
-  const float3L glossColor = splat3(1.0f);
-#endif
-  material.signals[0] = makeSignal(radiance, included, emissionFinite, albedo);
-  material.signals[1] =
-      makeSignal(LOAD_PIXELS(GLOSSYRADIANCE, glossyRadianceData, params.glossyRadiance, x, y, lanes),
-                 splat3(0.0f), TRUE_LANES, glossColor);
+  const float3L glossy = LOAD_PIXELS(GLOSSYRADIANCE, glossyRadianceData, params.glossyRadiance, x, y, lanes);
+  material.signals[0] = makeSignal(radiance, included, emissionFinite, albedo, one);
+  material.signals[1] = makeSignal(glossy, splat3(0.0f), TRUE_LANES, glossColor, fBeta);
 #elif ALBEDO_FORMAT && GLOSSCOLOR_FORMAT
-  material.signals[0] = makeSignal(radiance, included, emissionFinite, add3(albedo, glossColor));
-#elif ALBEDO_FORMAT
-  material.signals[0] = makeSignal(radiance, included, emissionFinite, albedo);
+  material.signals[0] =
+      makeSignal(radiance, included, emissionFinite, add3(albedo, multiply3(glossColor, fBeta)), one);
 #elif GLOSSCOLOR_FORMAT
-  material.signals[0] = makeSignal(radiance, included, emissionFinite, glossColor);
+  material.signals[0] = makeSignal(radiance, included, emissionFinite, glossColor, fBeta);
 #else
-  material.signals[0] = makeSignal(radiance, included, emissionFinite, splat3(1.0f));
+  material.signals[0] = makeSignal(radiance, included, emissionFinite, albedo, one);
 #endif
   return material;
 }

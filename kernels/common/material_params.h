@@ -7,11 +7,15 @@
 QUELL_NAMESPACE_BEGIN
 
 typedef struct MaterialParams {
+  QuellFloat4
+      viewAxis;  // world space (.xyz); .w is 1 for an orthographic camera, else 0 and the axis is not used
   ImageViewParams radiance;
   ImageViewParams glossyRadiance;
   ImageViewParams emission;
   ImageViewParams albedo;
   ImageViewParams glossColor;
+  ImageViewParams roughness;
+  ImageViewParams f0;
 } MaterialParams;
 
 QUELL_NAMESPACE_END

@@ -1,12 +1,11 @@
-// The caller's images of a surface: normal, world position or view depth, roughness.
+// The caller's images of a surface: normal, world position or view depth.
 #ifndef QUELL_COMMON_SURFACE_IMAGES_H
 #define QUELL_COMMON_SURFACE_IMAGES_H
 
 #include "common/reprojection.h"
 #include "common/surface_params.h"
 
-#define SURFACE_ARGUMENTS \
-  __global const uchar *normalData, __global const uchar *positionData, __global const uchar *roughnessData
+#define SURFACE_ARGUMENTS __global const uchar *normalData, __global const uchar *positionData
 
 // Lanes from `lanes` on are not valid.
 QUELL_INLINE Surface loadSurface(__global const uchar* normalData, __global const uchar* positionData,
@@ -25,17 +24,6 @@ QUELL_INLINE Surface loadSurface(__global const uchar* normalData, __global cons
   surface = checkSurface(surface);
   surface.valid = surface.valid && LANE_INDEX < lanes;
   return surface;
-}
-
-// Roughness in [0, 1] (GGX alpha is its square); 1, the roughness of a diffuse surface, where it is broken.
-QUELL_INLINE floatL loadRoughness(__global const uchar* roughnessData, SurfaceParams params, int x, int y,
-                                  int lanes) {
-#if ROUGHNESS_FORMAT
-  const floatL roughness = LOAD_PIXELS(ROUGHNESS, roughnessData, params.roughness, x, y, lanes).x;
-  return isFinite(roughness) ? clampLanes(roughness, 0.0f, 1.0f) : ONE_LANES;
-#else
-  return ONE_LANES;
-#endif
 }
 
 #endif

@@ -9,7 +9,6 @@ QUELL_NAMESPACE_BEGIN
 typedef struct SurfaceParams {
   ImageViewParams normal;
   ImageViewParams position;  // or view depth
-  ImageViewParams roughness;
 } SurfaceParams;
 
 QUELL_NAMESPACE_END

@@ -2,31 +2,21 @@
 
 #include <algorithm>
 
+#include "tests/cases/feature_inputs.hpp"
 #include "tests/support/random_images.hpp"
 #include "tests/support/test_scene.hpp"
 
 namespace quell::tests {
-namespace {
-
-Planes randomRecords(int count, unsigned seed) {
-  Random random(seed);
-  std::vector<FitRecord> records(static_cast<std::size_t>(count));
-  for (FitRecord& record : records) {
-    record.coefficients = record.coefficients.unaryExpr([&](double) { return random.uniform(-1.0, 2.0); });
-    for (double& anchor : record.anchor) anchor = random.uniform(-8.0, 2.0);
-    for (double& scale : record.scale) scale = random.uniform(0.1, 2.0);
-  }
-  return packRecords(records);
-}
-
-}  // namespace
-
 BlendedSumCase::BlendedSumCase(const CaseOptions& options, GramWindows windows)
-    : StageCase("blended_sum", makeGramSetup(options, windows, 0.0)), m_windows(windows) {
-  inputs.guides = renderScene({}, options.size).guides;
+    : StageCase("blended_sum", makeGramSetup(options, windows, 0.0)),
+      m_windows(windows),
+      m_features(options.features) {
+  inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
+  inputs.list = namesOf(m_features);
+  m_reprojection.clipW = viewAxisOf(inputs.list);
   inputs.tileEdge = windows.tileEdge;
   useFrame(1);
-  inputs.records = randomRecords(inputs.params.tilesX * inputs.params.tilesY, options.seed);
+  inputs.records = randomRecords(inputs.list, inputs.params.tilesX * inputs.params.tilesY, options.seed);
 }
 
 void BlendedSumCase::useFrame(std::uint32_t frameIndex) {
@@ -37,6 +27,7 @@ void BlendedSumCase::useFrame(std::uint32_t frameIndex) {
 void BlendedSumCase::upload() {
   m_harness.upload("fitRecords", inputs.records);
   m_harness.upload("guides", inputs.guides);
+  if (m_features.needMaterial()) m_harness.upload("materials", materialsOf(inputs.guides));
 }
 
 Comparison BlendedSumCase::compare() {

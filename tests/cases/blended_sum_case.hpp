@@ -26,6 +26,7 @@ class BlendedSumCase : public StageCase {
 
  private:
   GramWindows m_windows;
+  FitFeatures m_features;
 };
 
 }  // namespace quell::tests

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/accumulate_noisy_params.h"
+#include "tests/cases/feature_inputs.hpp"
 #include "tests/support/random_images.hpp"
 #include "tests/support/test_scene.hpp"
 
@@ -32,9 +33,13 @@ double brightest(const FitInputs& inputs, int block) {
 }  // namespace
 
 FitCase::FitCase(const CaseOptions& options, FeatureStorage storage, double noiseAmplitude)
-    : StageCase("fit", makeFitSetup(options, storage, noiseAmplitude)), m_storage(storage) {
+    : StageCase("fit", makeFitSetup(options, storage, noiseAmplitude)),
+      m_storage(storage),
+      m_features(options.features) {
+  inputs.list = namesOf(m_features);
+  m_reprojection.clipW = viewAxisOf(inputs.list);
   inputs.irradiance = randomPlanes(options.size, 3, options.seed, 0.0, 8.0);
-  inputs.guides = renderScene({}, options.size).guides;
+  inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
   Random random(options.seed + 1);
   forEachPixel(options.size, [&](int x, int y) {
     if (random.uniform() < 0.1) inputs.guides.at(QUELL_GUIDE_WEIGHT, x, y) *= float(random.uniform());
@@ -44,7 +49,7 @@ FitCase::FitCase(const CaseOptions& options, FeatureStorage storage, double nois
 }
 
 void FitCase::useRandomFeatures(unsigned seed) {
-  inputs.guides = randomPlanes(size(), QUELL_GUIDE_PLANES, seed, -1.0, 1.0);
+  inputs.guides = randomPlanes(size(), kGuideAndMaterialPlanes, seed, -1.0, 1.0);
   forEachPixel(size(), [&](int x, int y) { inputs.guides.at(QUELL_GUIDE_WEIGHT, x, y) = 1.0f; });
 }
 
@@ -56,6 +61,7 @@ void FitCase::useFrame(std::uint32_t frameIndex) {
 void FitCase::upload() {
   m_harness.upload("irradiance", inputs.irradiance);
   m_harness.upload("guides", inputs.guides);
+  if (m_features.needMaterial()) m_harness.upload("materials", materialsOf(inputs.guides));
 }
 
 Comparison FitCase::compare() {
@@ -63,7 +69,7 @@ Comparison FitCase::compare() {
   const FitExact exact = fitOracle(inputs);
   const Planes device = records();
   for (int block = 0; block < int(exact.records.size()); ++block) {
-    const FitRecord record = unpackRecord(device, block);
+    const FitRecord record = unpackRecord(device, block, inputs.list);
     const FitRecord& expected = exact.records[std::size_t(block)];
     const double scale = brightest(inputs, block);
     for (int row = 0; row < QUELL_BLOCK_PIXELS; ++row) {
@@ -88,10 +94,10 @@ Comparison FitCase::compareCoefficients() const {
       comparison.exclude();
       continue;
     }
-    const FitRecord record = unpackRecord(device, block);
+    const FitRecord record = unpackRecord(device, block, inputs.list);
     const Coefficients& expected = exact.records[std::size_t(block)].coefficients;
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
-      for (int j = 0; j < QUELL_FEATURES; ++j)
+      for (int j = 0; j < inputs.list.count(); ++j)
         comparison.include("coefficient (feature, channel) of block " + std::to_string(block), 0, j, c,
                            record.coefficients(j, c), expected(j, c), expected.col(c).cwiseAbs().maxCoeff());
   }

@@ -19,7 +19,7 @@ constexpr double kFitWellConditioned = 100.0;
 
 class FitCase : public StageCase {
  public:
-  /// Random irradiance over the test scene.
+  /// Random irradiance over the test scene, random materials.
   explicit FitCase(const CaseOptions& options, FeatureStorage storage = FeatureStorage::Float,
                    double noiseAmplitude = 0.01);
 
@@ -41,6 +41,7 @@ class FitCase : public StageCase {
 
  private:
   FeatureStorage m_storage;
+  FitFeatures m_features;
 };
 
 }  // namespace quell::tests

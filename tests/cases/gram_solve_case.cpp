@@ -21,7 +21,8 @@ GramSolveCase::GramSolveCase(const CaseOptions& options, GramWindows windows, do
     : StageCase("gram_solve", makeGramSetup(options, windows, noiseAmplitude)),
       inputs(makeGramInputs(options, windows)),
       m_windows(windows),
-      m_noiseAmplitude(noiseAmplitude) {
+      m_noiseAmplitude(noiseAmplitude),
+      m_list(namesOf(FitFeatures(options.features))) {
   useFrame(1);
 }
 
@@ -40,7 +41,7 @@ Comparison GramSolveCase::compare() { return comparePredictions(gramSolveOracle(
 Comparison GramSolveCase::comparePixels() const {
   std::vector<GramFit> fits;
   for (int window = 0; window < gramTileCount(inputs.params); ++window)
-    fits.push_back(ridgeFit(windowOfPixels(inputs, window), double(inputs.params.noiseVariance)));
+    fits.push_back(ridgeFit(windowOfPixels(inputs, window), m_list, double(inputs.params.noiseVariance)));
   return comparePredictions(fits);
 }
 
@@ -48,7 +49,7 @@ Comparison GramSolveCase::compareRecords(const Planes& others, double leastWeigh
   std::vector<GramFit> fits(std::size_t(gramTileCount(inputs.params)));
   for (int window = 0; window < int(fits.size()); ++window) {
     GramFit& fit = fits[std::size_t(window)];
-    fit.record = unpackRecord(others, window);
+    fit.record = unpackRecord(others, window, m_list);
     fit.undecided = windowOfTiles(solveInputs(), window).sums(0, 0) < leastWeight;
   }
   return comparePredictions(fits);
@@ -64,10 +65,10 @@ Comparison GramSolveCase::compareCoefficients() const {
       comparison.exclude();
       continue;
     }
-    const FitRecord record = unpackRecord(device, window);
+    const FitRecord record = unpackRecord(device, window, m_list);
     const Coefficients& expected = fit.record.coefficients;
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
-      for (int j = 0; j < QUELL_FEATURES; ++j)
+      for (int j = 0; j < m_list.count(); ++j)
         comparison.include("coefficient (feature, channel) of window " + std::to_string(window), 0, j, c,
                            record.coefficients(j, c), expected(j, c),
                            std::max(kLeastScale, expected.col(c).cwiseAbs().maxCoeff()));
@@ -84,7 +85,7 @@ Comparison GramSolveCase::comparePredictions(const std::vector<GramFit>& exact) 
       comparison.exclude();
       continue;
     }
-    const FitRecord record = unpackRecord(device, window);
+    const FitRecord record = unpackRecord(device, window, m_list);
     const std::vector<BlockPixel> pixels = windowPixels(window);
     const double scale = brightest(inputs.irradiance, pixels);
     const std::string name = "prediction of window " + std::to_string(window) + " (condition " +

@@ -43,10 +43,13 @@ class GramSolveCase : public StageCase {
  private:
   Comparison comparePredictions(const std::vector<GramFit>& exact) const;
   std::vector<BlockPixel> windowPixels(int window) const;
-  GramSolveInputs solveInputs() const { return {m_uploaded, inputs.params, m_windows.overlap}; }
+  GramSolveInputs solveInputs() const {
+    return {m_uploaded, inputs.params, m_windows.overlap, m_list, inputs.list};
+  }
 
   GramWindows m_windows;
   double m_noiseAmplitude;
+  FeatureNames m_list;
   Planes m_uploaded;
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "kernels/accumulate_noisy_params.h"
+#include "tests/cases/feature_inputs.hpp"
 #include "tests/support/random_images.hpp"
 #include "tests/support/test_scene.hpp"
 
@@ -11,11 +12,12 @@ namespace quell::tests {
 namespace {
 
 constexpr double kLessWeightShare = 0.1;  // of the pixels
+constexpr double kLeastSize = 10.0;       // scene units, of positions that a variable is made of
 
 void compareSums(Comparison& comparison, const std::string& tile, const GramMatrix& device,
                  const GramMatrix& exact) {
-  for (int a = 0; a < QUELL_FIT_COLUMNS; ++a) {
-    for (int b = a; b < QUELL_FIT_COLUMNS; ++b) {
+  for (int a = 0; a < int(exact.cols()); ++a) {
+    for (int b = a; b < int(exact.cols()); ++b) {
       const double scale = std::sqrt(exact(a, a) * exact(b, b));
       // Without any product the sum must be 0.
       comparison.include("sum of " + tile, 0, a, b, device(a, b), exact(a, b), scale > 0.0 ? scale : 1.0);
@@ -23,11 +25,21 @@ void compareSums(Comparison& comparison, const std::string& tile, const GramMatr
   }
 }
 
-void compareRanges(Comparison& comparison, const std::string& tile, const PositionRange& device,
-                   const PositionRange& exact) {
+// Those of variables that are stored must agree exactly.
+void compareRanges(Comparison& comparison, const std::string& tile, const VariableRange& device,
+                   const VariableRange& exact) {
   if (device.empty() && exact.empty()) return comparison.include("no range", 0, 0, 0, 0.0, 0.0);
-  if (device.low == exact.low && device.high == exact.high) return;
-  comparison.include("range of " + tile, 0, 0, 0, std::numeric_limits<double>::infinity(), 0.0);
+  for (int i = 0; i < int(exact.low.size()); ++i) {
+    const std::size_t k = std::size_t(i);
+    const bool stored = exact.list.scaled[k].size() == 2;
+    const double scale = stored ? 0.0 : std::abs(exact.low[k]) + std::abs(exact.high[k]) + kLeastSize;
+    for (const auto& [got, wanted] :
+         {std::pair(device.low[k], exact.low[k]), std::pair(device.high[k], exact.high[k])}) {
+      if (got == wanted) continue;
+      comparison.include("range of " + tile, 0, i, 0, stored ? std::numeric_limits<double>::infinity() : got,
+                         wanted, scale);
+    }
+  }
 }
 
 }  // namespace
@@ -46,7 +58,8 @@ StageSetup makeGramSetup(const CaseOptions& options, const GramWindows& windows,
 GramInputs makeGramInputs(const CaseOptions& options, const GramWindows& windows) {
   GramInputs inputs;
   inputs.irradiance = randomPlanes(options.size, 3, options.seed, 0.0, 8.0);
-  inputs.guides = renderScene({}, options.size).guides;
+  inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
+  inputs.list = gramNamesOf(FitFeatures(options.features), windows.overlap);
   Random random(options.seed + 1);
   forEachPixel(options.size, [&](int x, int y) {
     if (random.uniform() < kLessWeightShare)
@@ -58,14 +71,16 @@ GramInputs makeGramInputs(const CaseOptions& options, const GramWindows& windows
 }
 
 void useRandomFeatures(Planes& guides, unsigned seed) {
-  guides = randomPlanes(guides.size(), QUELL_GUIDE_PLANES, seed, -1.0, 1.0);
+  guides = randomPlanes(guides.size(), kGuideAndMaterialPlanes, seed, -1.0, 1.0);
   forEachPixel(guides.size(), [&](int x, int y) { guides.at(QUELL_GUIDE_WEIGHT, x, y) = 1.0f; });
 }
 
 GramSumsCase::GramSumsCase(const CaseOptions& options, GramWindows windows)
     : StageCase("gram_sums", makeGramSetup(options, windows, 0.0)),
       inputs(makeGramInputs(options, windows)),
-      m_windows(windows) {
+      m_windows(windows),
+      m_features(options.features) {
+  m_reprojection.clipW = viewAxisOf(inputs.list);
   useFrame(1);
 }
 
@@ -77,6 +92,7 @@ void GramSumsCase::useFrame(std::uint32_t frameIndex) {
 void GramSumsCase::upload() {
   m_harness.upload("irradiance", inputs.irradiance);
   m_harness.upload("guides", inputs.guides);
+  if (m_features.needMaterial()) m_harness.upload("materials", materialsOf(inputs.guides));
 }
 
 Comparison GramSumsCase::compare() {
@@ -84,7 +100,7 @@ Comparison GramSumsCase::compare() {
   const std::vector<GramTile> exact = gramSumsOracle(inputs);
   const Planes device = tiles();
   for (int tile = 0; tile < gramTileCount(inputs.params); ++tile) {
-    const GramTile unpacked = unpackTile(device, inputs.params, tile);
+    const GramTile unpacked = unpackTile(device, inputs.params, tile, inputs.list);
     const std::string name = "tile " + std::to_string(tile);
     compareSums(comparison, name, unpacked.sums, exact[std::size_t(tile)].sums);
     compareRanges(comparison, name, unpacked.range, exact[std::size_t(tile)].range);

@@ -18,7 +18,7 @@ constexpr double kGramSumTolerance = 2e-6;
 /// A schedule with the stages of a gram fit.
 StageSetup makeGramSetup(const CaseOptions& options, const GramWindows& windows, double noiseAmplitude);
 
-/// Random irradiance over the test scene, some pixels of less weight.
+/// Random irradiance over the test scene, some pixels of less weight, random materials.
 GramInputs makeGramInputs(const CaseOptions& options, const GramWindows& windows);
 /// Replaces the scene by unrelated random features, which makes the problem well-conditioned.
 void useRandomFeatures(Planes& guides, unsigned seed);
@@ -40,6 +40,7 @@ class GramSumsCase : public StageCase {
 
  private:
   GramWindows m_windows;
+  FitFeatures m_features;
 };
 
 }  // namespace quell::tests

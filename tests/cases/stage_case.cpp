@@ -24,6 +24,10 @@ StageSetup makeSetup(const CaseOptions& options) {
   setup.mapping = options.mapping;
   setup.workGroup = options.workGroup;
   setup.fitGroup = options.fitGroup;
+  setup.settings.set("features", options.features);
+  const FitFeatures features(options.features);
+  if (features.needAlbedo()) setup.frame.albedo = packedImage(nullptr, 3);
+  if (features.needRoughness()) setup.frame.roughness = packedImage(nullptr, 1);
   return setup;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "host/stages/fit_features.hpp"
 #include "tests/support/comparison.hpp"
 #include "tests/support/image_layout.hpp"
 #include "tests/support/stage_harness.hpp"
@@ -17,7 +18,8 @@ struct CaseOptions {
   std::array<int, 2> workGroup{0, 0};
   int fitGroup = 0;
   unsigned seed = 1;
-  ImageLayout layout = packed(3);  ///< of the caller's images, where the stage touches any
+  std::string features = kDefaultFeatures;  ///< of the fit
+  ImageLayout layout = packed(3);           ///< of the caller's images, where the stage touches any
 };
 
 class StageCase {
@@ -56,7 +58,7 @@ constexpr double kHalfRounding = 1.0 / 2048;
 /// What storing a result in this layout adds to its error.
 double storageError(const ImageLayout& layout);
 
-/// Size, mapping and work-groups of the options, with no images.
+/// Size, mapping, work-groups and features of the options, with those images that the features are made of.
 StageSetup makeSetup(const CaseOptions& options);
 
 /// Compares one of the caller's images with the planes that it should hold: a fourth component must be 1 and

@@ -3,28 +3,17 @@
 #include <algorithm>
 
 #include "host/stages/fit.hpp"
+#include "tests/cases/feature_inputs.hpp"
 #include "tests/support/random_images.hpp"
 #include "tests/support/test_scene.hpp"
 
 namespace quell::tests {
-namespace {
-
-Planes randomRecords(Size size, unsigned seed) {
-  Random random(seed);
-  std::vector<FitRecord> records(std::size_t(blockCount(size)));
-  for (FitRecord& record : records) {
-    record.coefficients = record.coefficients.unaryExpr([&](double) { return random.uniform(-1.0, 2.0); });
-    for (double& anchor : record.anchor) anchor = random.uniform(-8.0, 2.0);
-    for (double& scale : record.scale) scale = random.uniform(0.1, 2.0);
-  }
-  return packRecords(records);
-}
-
-}  // namespace
-
-WeightedSumCase::WeightedSumCase(const CaseOptions& options) : StageCase("weighted_sum", makeSetup(options)) {
-  inputs.records = randomRecords(options.size, options.seed);
-  inputs.guides = renderScene({}, options.size).guides;
+WeightedSumCase::WeightedSumCase(const CaseOptions& options)
+    : StageCase("weighted_sum", makeSetup(options)), m_features(options.features) {
+  inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
+  inputs.list = namesOf(m_features);
+  m_reprojection.clipW = viewAxisOf(inputs.list);
+  inputs.records = randomRecords(inputs.list, blockCount(options.size), options.seed);
   useFrame(1);
 }
 
@@ -36,6 +25,7 @@ void WeightedSumCase::useFrame(std::uint32_t frameIndex) {
 void WeightedSumCase::upload() {
   m_harness.upload("fitRecords", inputs.records);
   m_harness.upload("guides", inputs.guides);
+  if (m_features.needMaterial()) m_harness.upload("materials", materialsOf(inputs.guides));
 }
 
 Comparison WeightedSumCase::compare() {

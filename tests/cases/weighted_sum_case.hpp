@@ -11,7 +11,7 @@ constexpr double kWeightedSumTolerance = 1e-6;
 
 class WeightedSumCase : public StageCase {
  public:
-  /// Random coefficients over the test scene.
+  /// Random coefficients over the test scene, random materials.
   explicit WeightedSumCase(const CaseOptions& options);
 
   WeightedSumInputs inputs;
@@ -22,6 +22,9 @@ class WeightedSumCase : public StageCase {
   Planes fitted() const { return m_harness.download("fitted"); }
   /// The block grid of this frame.
   void useFrame(std::uint32_t frameIndex);
+
+ private:
+  FitFeatures m_features;
 };
 
 }  // namespace quell::tests

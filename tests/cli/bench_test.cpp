@@ -192,4 +192,17 @@ TEST_CASE("bench answers mistakes and leaves no file", "[cli]") {
 
 TEST_CASE("bench has a help text", "[cli]") { CHECK(quell({"bench", "--help"}) == 0); }
 
+TEST_CASE("bench takes lists of features, separated by semicolons", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.path() + "/bench.json";
+  REQUIRE(bench({"--features", "1,n;1,n,w", "--size", "64x48", "--json", file}) == 0);
+  const json runs = readJson(file).at("runs");
+  REQUIRE(runs.size() == 2);
+  CHECK(runs[0].at("settings").at("features") == "1,n");
+  CHECK(runs[1].at("settings").at("features") == "1,n,w");
+  CHECK(runs[0].at("output_hash") != runs[1].at("output_hash"));
+  const cli::Variation variation = cli::parseVariation("features=n;w,w2");
+  CHECK(variation.values == std::vector<std::string>{"n", "w,w2"});
+}
+
 }  // namespace quell::tests

@@ -191,6 +191,25 @@ TEST_CASE("host times and the copy bandwidth need no profiling queue", "[cli]") 
   CHECK(report.at("copy_ms").get<double>() > 0.0);
 }
 
+TEST_CASE("f-beta writes its table as a picture and finds it again", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string output = directory.file("table.exr"), cache = directory.file("cache");
+  REQUIRE(quell({"f-beta", "--output", output, "--cache-directory", cache}) == 0);
+  const io::Image built = io::readExr(output);
+  CHECK(built.width == 256);
+  CHECK(built.height == 256);
+  REQUIRE(built.channels == 2);
+  CHECK(built.at(255, 0, 0) == 1.0f);                           // a mirror seen from above reflects F0
+  CHECK(built.at(0, 0, 1) == 1.0f);                             // and everything at grazing angles
+  CHECK(built.at(255, 255, 0) == Approx(0.307).margin(0.001));  // the roughest surface loses two thirds
+  REQUIRE(quell({"f-beta", "--output", output, "--cache-directory", cache}) == 0);
+  CHECK(io::readExr(output).pixels == built.pixels);
+  REQUIRE(quell({"f-beta", "--output", output, "--cache-directory", cache, "--correlated"}) == 0);
+  CHECK(io::readExr(output).pixels != built.pixels);
+  CHECK(quell({"f-beta"}) != 0);
+  CHECK(quell({"f-beta", "--output", directory.file("none/table.exr"), "--no-cache"}) == 1);
+}
+
 TEST_CASE("help names every command and setting", "[cli]") {
   CHECK(quell({"--help"}) == 0);
   CHECK(quell({"denoise", "--help"}) == 0);

@@ -4,6 +4,7 @@
 #include <quell/settings.hpp>
 
 #include "tests/support/error_matcher.hpp"
+#include "tests/support/small_denoiser.hpp"
 
 namespace quell::tests {
 
@@ -14,6 +15,11 @@ TEST_CASE("settings start at documented defaults that are within their own range
     CHECK(settings.method() == method);
     for (const SettingDescription& setting : settings.descriptions()) {
       INFO(method << "." << setting.name);
+      if (setting.kind == SettingKind::Text) {
+        CHECK(settings.text(setting.name) == setting.defaultText);
+        CHECK_NOTHROW(settings.set(setting.name, setting.defaultText));
+        continue;
+      }
       CHECK(settings.get(setting.name) == setting.defaultValue);
       CHECK(setting.minimum <= setting.defaultValue);
       CHECK(setting.defaultValue <= setting.maximum);
@@ -30,6 +36,7 @@ TEST_CASE("settings start at documented defaults that are within their own range
 TEST_CASE("every setting's text reads back as the same value", "[core]") {
   Settings settings, copy;
   for (const SettingDescription& setting : settings.descriptions()) {
+    if (setting.kind == SettingKind::Text) continue;
     if (setting.kind == SettingKind::Real)
       settings.set(setting.name, setting.minimum + (setting.maximum - setting.minimum) / 3.0);
     else
@@ -49,6 +56,18 @@ TEST_CASE("settings are set by number and by text", "[core]") {
   CHECK(settings.text("noisyLeastWeight") == "0.125");
   settings.set("positionLimit", "1e3");
   CHECK(settings.get("positionLimit") == 1000.0);
+}
+
+TEST_CASE("a text keeps what it was given and has no number", "[core]") {
+  Settings settings;
+  settings.set("features", "nx, 1");
+  CHECK(settings.text("features") == "nx, 1");
+  CHECK(settings.get("features") == 0.0);
+  checkRefused({ErrorCode::OutOfRange, "settings", "features", "a text", "3"},
+               [&] { settings.set("features", 3.0); });
+  checkRefused({ErrorCode::OutOfRange, "settings", "features", "a list", "magic"},
+               [&] { settings.set("features", "magic"); });
+  CHECK(settings.text("features") == "nx, 1");
 }
 
 TEST_CASE("switches take on, off, true, false, 1 and 0", "[core]") {

@@ -78,6 +78,7 @@ TEST_CASE("channel counts out of range are refused", "[errors]") {
       {"emission", &Frame::emission, nullptr, 1, 4},
       {"glossyRadiance", &Frame::glossyRadiance, nullptr, 1, 4},
       {"roughness", &Frame::roughness, nullptr, 1, 1},
+      {"f0", &Frame::f0, nullptr, 1, 4},
       {"output.linear", nullptr, &Output::linear, 3, 4},
       {"output.display", nullptr, &Output::display, 3, 4},
   };
@@ -94,7 +95,7 @@ TEST_CASE("channel counts out of range are refused", "[errors]") {
            }});
     }
   }
-  CHECK(cases.size() == 11 * 2 + 2 * 1 + 4 * 2);
+  CHECK(cases.size() == 12 * 2 + 2 * 1 + 4 * 2);
   checkAll(cases);
 }
 

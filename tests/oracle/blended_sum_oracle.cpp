@@ -42,21 +42,19 @@ BlendedSumExact blendedSumOracle(const BlendedSumInputs& inputs) {
   forEachPixel(size, [&](int x, int y) {
     const Neighbours h = horizontal.neighbours(x), v = vertical.neighbours(y);
     Eigen::RowVector3d sum = Eigen::RowVector3d::Zero(), magnitude = sum;
-    bool background = false;
     double total = 0.0;
     for (int corner = 0; corner < 4; ++corner) {
       const bool right = corner % 2 == 1, below = corner / 2 == 1;
       const int column = right ? h.after : h.before, row = below ? v.after : v.before;
       const double share = (right ? h.fraction : 1.0 - h.fraction) * (below ? v.fraction : 1.0 - v.fraction);
-      const FitRecord record = unpackRecord(inputs.records, row * inputs.params.tilesX + column);
-      const auto t = features(inputs.guides, record, x, y);
-      background = t.segment<3>(1).isZero(0.0);
-      if (record.scale[0] == 0.0) continue;  // a window without a sample
+      const FitRecord record = unpackRecord(inputs.records, row * inputs.params.tilesX + column, inputs.list);
+      const Eigen::RowVectorXd t = features(inputs.guides, record, x, y);
+      if (!record.usable) continue;  // a window without a sample
       sum += share * t * record.coefficients;
       magnitude += share * t.cwiseAbs() * record.coefficients.cwiseAbs();
       total += share;
     }
-    if (background || total == 0.0) return;
+    if (isBackground(inputs.guides, x, y) || total == 0.0) return;
     sum /= total;
     magnitude /= total;
     for (int c = 0; c < 3; ++c) {

@@ -9,7 +9,8 @@ namespace quell::tests {
 
 struct BlendedSumInputs {
   Planes records;  ///< as the stage gram_solve writes them
-  Planes guides;   ///< 7 planes
+  Planes guides;   ///< 7 planes, and 4 of materials where features need them
+  FeatureNames list = defaultNames();
   GramParams params{};
   int tileEdge = 8;
 };

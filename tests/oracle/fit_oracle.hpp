@@ -2,27 +2,17 @@
 // comes from the same integer hash as on the device, so that both solve the same least-squares problem.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <vector>
 
-#include "kernels/fit_params.h"
-#include "tests/support/planes.hpp"
+#include "tests/oracle/feature_oracle.hpp"
 
 namespace quell::tests {
 
 struct FitInputs {
   Planes irradiance;  ///< 3 planes
-  Planes guides;      ///< 7 planes
+  Planes guides;      ///< 7 planes, and 4 of materials where features need them
   FitParams params{};
-};
-
-using Coefficients = Eigen::Matrix<double, QUELL_FEATURES, QUELL_FIT_CHANNELS>;
-
-/// The record of one block.
-struct FitRecord {
-  Coefficients coefficients = Coefficients::Zero();
-  std::array<double, 3> anchor{}, scale{};
+  FeatureNames list = defaultNames();
 };
 
 struct FitExact {
@@ -31,14 +21,6 @@ struct FitExact {
 };
 
 FitExact fitOracle(const FitInputs& inputs);
-
-/// A record as the device stores it.
-FitRecord unpackRecord(const Planes& records, int block);
-Planes packRecords(const std::vector<FitRecord>& records);
-
-/// T for one pixel: features without noise.
-Eigen::Matrix<double, 1, QUELL_FEATURES> features(const Planes& guides, const FitRecord& record, int x,
-                                                  int y);
 
 /// The pixel of a row of a block's matrix; coordinates outside the image are mirrored into it.
 struct BlockPixel {

@@ -9,11 +9,15 @@ struct GramSolveInputs {
   Planes tiles;  ///< as the stage gram_sums writes them
   GramParams params{};
   bool overlap = false;  ///< a window is a tile with its eight neighbours under a tent, else a tile
+  FeatureNames list = defaultNames();      ///< of the fit
+  FeatureNames gramList = defaultNames();  ///< of the sums: the same first, then others
 };
 
 /// Sums of a window in its own scaling.
 struct GramWindow {
-  GramMatrix sums = GramMatrix::Zero();
+  explicit GramWindow(const FeatureNames& list) : sums(emptySums(list)), scaling(list) {}
+
+  GramMatrix sums;
   FitRecord scaling;
 };
 
@@ -36,7 +40,8 @@ struct GramFit {
   /// Within rounding of a threshold: float and double may take a different set of features.
   bool undecided = false;
 };
-GramFit ridgeFit(const GramWindow& window, double noiseVariance);
+/// Of the first features of the window's sums, those of `list`.
+GramFit ridgeFit(const GramWindow& window, const FeatureNames& list, double noiseVariance);
 
 std::vector<GramFit> gramSolveOracle(const GramSolveInputs& inputs);
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "kernels/gram_params.h"
@@ -13,32 +12,29 @@ namespace quell::tests {
 
 struct GramInputs {
   Planes irradiance;  ///< 3 planes
-  Planes guides;      ///< 7 planes
+  Planes guides;      ///< 7 planes, and 4 of materials where features need them
   GramParams params{};
   int tileEdge = QUELL_BLOCK_EDGE;
-  bool overlap = false;  ///< pixels outside the image are left out instead of mirrored
+  bool overlap = false;                ///< pixels outside the image are left out instead of mirrored
+  FeatureNames list = defaultNames();  ///< whose sums are collected, see gramNamesOf()
 };
 
-using GramMatrix = Eigen::Matrix<double, QUELL_FIT_COLUMNS, QUELL_FIT_COLUMNS>;
+using GramMatrix = Eigen::MatrixXd;
 
-/// Range of positions; low > high where there is none.
-struct PositionRange {
-  std::array<double, 3> low, high;
-
-  PositionRange();
-  bool empty() const { return low[0] > high[0]; }
-  void include(const std::array<double, 3>& lowest, const std::array<double, 3>& highest);
-};
+/// Of [features | colour], 0.
+GramMatrix emptySums(const FeatureNames& list);
 
 struct GramTile {
-  GramMatrix sums = GramMatrix::Zero();  ///< of [features | colour], symmetric
-  PositionRange range;
+  explicit GramTile(const FeatureNames& list) : sums(emptySums(list)), range(list) {}
+
+  GramMatrix sums;  ///< of [features | colour], symmetric
+  VariableRange range;
 };
 
 std::vector<GramTile> gramSumsOracle(const GramInputs& inputs);
 
 /// A tile as the device stores it.
-GramTile unpackTile(const Planes& tiles, const GramParams& params, int tile);
+GramTile unpackTile(const Planes& tiles, const GramParams& params, int tile, const FeatureNames& list);
 Planes packTiles(const std::vector<GramTile>& tiles);
 
 inline int gramTileCount(const GramParams& params) { return params.tilesX * params.tilesY; }
@@ -46,9 +42,6 @@ inline int gramTileCount(const GramParams& params) { return params.tilesX * para
 /// The pixels of a tile that count: with a weight, inside the image or mirrored into it (again and again,
 /// maybe).
 std::vector<BlockPixel> tilePixels(const GramInputs& inputs, int tile);
-
-/// A record without coefficients that maps the range to [0, 1].
-FitRecord scalingOf(const PositionRange& range);
 
 /// Adds a pixel's products of [features | colour], times its weight and `factor`.
 void addPixel(const GramInputs& inputs, const FitRecord& scaling, BlockPixel pixel, double factor,

@@ -12,9 +12,9 @@ WeightedSumExact weightedSumOracle(const WeightedSumInputs& inputs) {
   forEachPixel(size, [&](int x, int y) {
     const int block = (y - inputs.params.blockOffsetY) / QUELL_BLOCK_EDGE * inputs.params.blocksX +
                       (x - inputs.params.blockOffsetX) / QUELL_BLOCK_EDGE;
-    const FitRecord record = unpackRecord(inputs.records, block);
-    const auto t = features(inputs.guides, record, x, y);
-    if (t.segment<3>(1).isZero(0.0)) return;  // background
+    const FitRecord record = unpackRecord(inputs.records, block, inputs.list);
+    if (isBackground(inputs.guides, x, y)) return;
+    const Eigen::RowVectorXd t = features(inputs.guides, record, x, y);
     const Eigen::RowVector3d sum = t * record.coefficients;
     const Eigen::RowVector3d magnitude = t.cwiseAbs() * record.coefficients.cwiseAbs();
     for (int c = 0; c < 3; ++c) {

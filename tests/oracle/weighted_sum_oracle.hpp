@@ -8,7 +8,8 @@ namespace quell::tests {
 
 struct WeightedSumInputs {
   Planes records;  ///< as the stage fit writes them
-  Planes guides;   ///< 7 planes
+  Planes guides;   ///< 7 planes, and 4 of materials where features need them
+  FeatureNames list = defaultNames();
   FitParams params{};
 };
 

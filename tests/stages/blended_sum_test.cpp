@@ -66,7 +66,6 @@ TEST_CASE("blended_sum of the same fit everywhere is that fit") {
       BlendedSumCase blended(makeOptions({77, 43}, mapping), windows);
       FitRecord record;
       record.coefficients.row(0).setConstant(3.25);
-      record.scale.fill(1.0);
       blended.inputs.records = packRecords(
           std::vector<FitRecord>(blended.inputs.records.values.size() / QUELL_FIT_RECORD, record));
       blended.upload();

@@ -59,7 +59,6 @@ void runBoth(GramSolveCase& solve, const CaseOptions& options, const GramWindows
 Planes constantRecords(const GramParams& params, float value) {
   FitRecord record;
   record.coefficients.row(0).setConstant(double(value));
-  record.scale.fill(1.0);
   return packRecords(std::vector<FitRecord>(std::size_t(gramTileCount(params)), record));
 }
 
@@ -67,7 +66,6 @@ Planes constantRecords(const GramParams& params, float value) {
 // record.
 FitRecord useLinearSignal(GramInputs& inputs) {
   FitRecord record;
-  record.scale.fill(1.0);
   record.coefficients.col(0) << 6.0, 1.0, -0.5, 0.5, 0.4, -0.3, 0.2, 0.03, 0.02, -0.01;
   record.coefficients.col(1) << 5.0, -1.0, 0.25, 0.5, -0.2, 0.1, 0.3, 0.01, -0.02, 0.02;
   record.coefficients.col(2) << 7.0, 0.5, 0.5, -1.0, 0.1, 0.2, -0.1, -0.02, 0.01, 0.01;

@@ -1,0 +1,91 @@
+#include "host/core/disk_cache.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+namespace quell {
+namespace {
+
+using Bytes = DiskCache::Bytes;
+
+// First bytes of an entry; the number changes with the layout.
+constexpr char kMagic[] = "quell cached result 2\n";
+
+// FNV-1a, 64 bits (Fowler, Noll, Vo): names files and finds damage; the key itself is compared in full.
+std::uint64_t hashBytes(const void* data, std::size_t size) {
+  const auto* bytes = static_cast<const unsigned char*>(data);
+  std::uint64_t hash = 0xcbf29ce484222325ull;
+  for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3ull;
+  return hash;
+}
+
+template <class Number>
+void append(Bytes& bytes, Number value) {
+  const auto* raw = reinterpret_cast<const unsigned char*>(&value);
+  bytes.insert(bytes.end(), raw, raw + sizeof(value));
+}
+
+Bytes makeEntry(const std::string& key, const Bytes& bytes) {
+  Bytes entry(kMagic, kMagic + sizeof(kMagic) - 1);
+  append(entry, static_cast<std::uint64_t>(key.size()));
+  append(entry, static_cast<std::uint64_t>(bytes.size()));
+  append(entry, hashBytes(bytes.data(), bytes.size()));
+  entry.insert(entry.end(), key.begin(), key.end());
+  entry.insert(entry.end(), bytes.begin(), bytes.end());
+  return entry;
+}
+
+Bytes readFile(const std::string& path) {
+  try {
+    std::ifstream file(path, std::ios::binary);
+    return Bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  } catch (const std::ios_base::failure&) {
+    return {};  // a directory, a broken disk
+  }
+}
+
+}  // namespace
+
+std::string DiskCache::pathOf(const std::string& key) const {
+  char name[32];
+  std::snprintf(name, sizeof(name), "%016llx.bin",
+                static_cast<unsigned long long>(hashBytes(key.data(), key.size())));
+  return (std::filesystem::path(m_directory) / name).string();
+}
+
+// An entry is trusted only if rebuilding it from its own parts gives the same bytes and the key is ours.
+std::optional<Bytes> DiskCache::read(const std::string& key) const {
+  if (m_directory.empty()) return std::nullopt;
+  const Bytes entry = readFile(pathOf(key));
+  const std::size_t header = sizeof(kMagic) - 1 + 3 * sizeof(std::uint64_t);
+  if (entry.size() < header + key.size()) return std::nullopt;
+  const Bytes bytes(entry.begin() + static_cast<std::ptrdiff_t>(header + key.size()), entry.end());
+  if (bytes.empty() || makeEntry(key, bytes) != entry) return std::nullopt;
+  return bytes;
+}
+
+void DiskCache::write(const std::string& key, const Bytes& bytes) const {
+  if (m_directory.empty() || bytes.empty()) return;
+  std::error_code ignored;
+  std::filesystem::create_directories(m_directory, ignored);
+  const std::string path = pathOf(key);
+  const std::string temporary = path + "." + std::to_string(std::random_device{}()) + ".tmp";
+  {
+    std::ofstream file(temporary, std::ios::binary);
+    const Bytes entry = makeEntry(key, bytes);
+    file.write(reinterpret_cast<const char*>(entry.data()), static_cast<std::streamsize>(entry.size()));
+    file.close();
+    if (!file) {
+      std::filesystem::remove(temporary, ignored);
+      return;
+    }
+  }
+  std::filesystem::rename(temporary, path, ignored);
+  if (ignored) std::filesystem::remove(temporary, ignored);
+}
+
+}  // namespace quell

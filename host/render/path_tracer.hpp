@@ -1,0 +1,74 @@
+// The path tracer: one frame of a scene at a time, on any OpenCL device.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <quell/frame.hpp>
+#include <string>
+
+#include "host/io/image.hpp"
+#include "host/render/scene.hpp"
+
+namespace quell::render {
+
+/// What the primary rays see; free of noise. All zero (but emission and motion) where a ray leaves the scene.
+struct Features {
+  io::Image position;    ///< 3 channels, world, m
+  io::Image normal;      ///< 3 channels, world, unit length, bumps included, faces the camera
+  io::Image albedo;      ///< 3 channels, in [0, 1)
+  io::Image glossColor;  ///< 3 channels, tint of the GGX lobe beside Fresnel, in [0, 1]
+  io::Image f0;          ///< 3 channels, reflectance at normal incidence, in [0, 1]; 1: no Fresnel
+  io::Image emission;    ///< 3 channels, radiance of emitters and of the background
+  io::Image roughness;   ///< 1 channel, in [0, 1]; GGX alpha is its square
+  io::Image motion;      ///< 2 channels, px, x right, y down: previous pixel minus current pixel
+  io::Image objectId;    ///< 1 channel, whole numbers, 0 is the background
+};
+
+/// Means over samples.
+struct Light {
+  io::Image diffuse;  ///< 3 channels: color = albedo * diffuse + glossColor * glossy + emission
+  io::Image glossy;   ///< 3 channels, Fresnel included
+  /// 1 channel, m: how far the first secondary ray of the GGX lobe went; QUELL_NO_HIT_DISTANCE, QUELL_MISS_DISTANCE.
+  io::Image hitDistance;
+};
+
+/// Which of the two estimates of direct light counts; one alone is for tests.
+enum class Estimator {
+  Both = QUELL_ESTIMATOR_BOTH,
+  LightOnly = QUELL_ESTIMATOR_LIGHT_ONLY,
+  BsdfOnly = QUELL_ESTIMATOR_BSDF_ONLY,
+};
+
+/// albedo * diffuse + glossColor * glossy + emission.
+io::Image composeColor(const Features& features, const Light& light);
+
+/// A seed of its own for every frame and stream (0: the noisy frame; 1 and 2: halves of the reference).
+std::uint32_t mixSeed(std::uint32_t seed, int frame, int stream);
+
+/// Equal arguments give equal pixels on one device and driver. Errors of OpenCL come as quell::Error.
+class PathTracer {
+ public:
+  /// `device` as for chooseDevice(); `cacheDirectory` for compiled kernels, empty: none. Builds the kernels.
+  /// Throws Error(InvalidArgument) unless width and height are in [1, 16384].
+  PathTracer(const std::string& device, const std::string& cacheDirectory, Size size);
+  PathTracer(PathTracer&&) noexcept;
+  PathTracer& operator=(PathTracer&&) noexcept;
+  ~PathTracer();
+
+  /// Traces the primary rays of a scene; `before` is the scene one frame earlier.
+  Features features(const Scene& now, const Scene& before);
+
+  /// The light of the scene last given to features(); samples >= 1 per pixel. `progress` is called with the number of
+  /// samples just done.
+  Light light(std::uint32_t seed, int samples, Estimator estimator = Estimator::Both,
+              const std::function<void(int)>& progress = {});
+
+  const std::string& deviceName() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> m_implementation;
+};
+
+}  // namespace quell::render

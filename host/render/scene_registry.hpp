@@ -1,0 +1,47 @@
+// The scenes that there are. A new one is one file in scenes/, declared here and listed in scene_registry.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/render/scene.hpp"
+
+namespace quell::render {
+
+/// Describes a scene at a time in frames; any number, also -1 for the frame before the first.
+using SceneFunction = void (*)(Scene& scene, double frame);
+
+struct SceneEntry {
+  const char* name;
+  const char* summary;
+  SceneFunction describe;
+  /// A frame that wants a reference besides the last one (before an event); -1: none.
+  int extraReferenceFrame = -1;
+};
+
+const std::vector<SceneEntry>& scenes();
+std::vector<std::string> sceneNames();
+
+/// Throws Error(InvalidArgument) naming the scenes there are.
+const SceneEntry& findScene(const std::string& name);
+
+/// The scene at a frame.
+Scene makeScene(const SceneEntry& entry, int frame);
+
+/// First frame of `light-switch` with the other light.
+constexpr int kLightSwitchFrame = 20;
+
+// host/render/scenes/<name>.cpp
+void columns(Scene& scene, double frame);
+void cornell(Scene& scene, double frame);
+void dark(Scene& scene, double frame);
+void foliage(Scene& scene, double frame);
+void lightSwitch(Scene& scene, double frame);
+void mirror(Scene& scene, double frame);
+void movingLight(Scene& scene, double frame);
+void movingObjects(Scene& scene, double frame);
+void openSky(Scene& scene, double frame);
+void roughness(Scene& scene, double frame);
+void staticRoom(Scene& scene, double frame);
+
+}  // namespace quell::render

@@ -1,0 +1,124 @@
+// The stages of a fit with other features than the default ones, against the same oracles.
+#include "tests/cases/blended_sum_case.hpp"
+#include "tests/cases/fit_case.hpp"
+#include "tests/cases/gram_solve_case.hpp"
+#include "tests/cases/weighted_sum_case.hpp"
+#include "tests/support/stage_checks.hpp"
+
+using namespace quell;
+using namespace quell::tests;
+
+namespace {
+
+// From the constant alone to the most there may be: unscaled, without the lower powers, roots and differences, the
+// choice of Flatval 2020, table 5.4, and sixteen.
+const char* const kLists[] = {"1",
+                              "1,n",
+                              "w2,gx",
+                              "n,g,roughness",
+                              "w,sqrt(w),w-w,depth,ar",
+                              "w2,sqrt(nx),wx*ny,nx,nz,sqrt(ny),wx*wy",
+                              "wx3,wx*wy*wz,roughness2,nx-ny,n2,sqrt(depth),depth2*ag",
+                              "n,w,w2,albedo,roughness,g"};
+
+// Positions are floats of up to 20 units; a difference or root of them has lost a digit or two when it is scaled.
+constexpr double kFitListTolerance = 5e-5;
+
+CaseOptions makeOptions(const char* list, Size size, Mapping mapping) {
+  CaseOptions options;
+  options.features = list;
+  options.size = size;
+  options.mapping = mapping;
+  return options;
+}
+
+template <class Check>
+void forEachList(const Check& check) {
+  for (const char* list : kLists) {
+    for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+      for (const Size size : {Size{7, 33}, Size{61, 43}}) {
+        INFO(list);
+        check(makeOptions(list, size, mapping));
+      }
+    }
+  }
+}
+
+void checkWithin(StageCase& stageCase, const CaseOptions& options, double tolerance) {
+  const Comparison comparison = stageCase.check();
+  INFO(describe(options) << ": " << comparison.worst());
+  CHECK(comparison.compared() > 0);
+  CHECK(comparison.largestError() <= tolerance);
+}
+
+}  // namespace
+
+TEST_CASE("fit agrees with its oracle for lists of features") {
+  forEachList([](const CaseOptions& options) {
+    FitCase fit(options);
+    checkWithin(fit, options, kFitListTolerance);
+    CHECK(allFinite(fit.records()));
+  });
+}
+
+TEST_CASE("fit with half storage agrees with its oracle for sixteen features") {
+  const CaseOptions options = makeOptions(kLists[7], {61, 43}, Mapping::Wide);
+  FitCase fit(options, FeatureStorage::Half);
+  checkWithin(fit, options, kFitHalfTolerance);
+}
+
+TEST_CASE("fit without noise leaves dependent features of a list out") {
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    // The differences and the depth are combinations of the positions.
+    const CaseOptions options = makeOptions("w,w-w,depth", {61, 43}, mapping);
+    FitCase fit(options, FeatureStorage::Float, 0.0);
+    fit.upload();
+    fit.run();
+    CHECK(allFinite(fit.records()));
+  }
+}
+
+TEST_CASE("gram_sums agrees with its oracle for lists of features") {
+  for (const GramWindows& windows : {kBlocks, kOverlap8}) {
+    forEachList([&](const CaseOptions& options) {
+      GramSumsCase sums(options, windows);
+      checkWithin(sums, options, 2.0 * kGramSumTolerance);
+    });
+  }
+}
+
+TEST_CASE("gram_solve agrees with its oracle for lists of features") {
+  for (const GramWindows& windows : {kBlocks, kOverlap8}) {
+    forEachList([&](const CaseOptions& options) {
+      GramSolveCase solve(options, windows);
+      checkWithin(solve, options, kGramSolveTolerance);
+      const Comparison pixels = solve.comparePixels();
+      INFO("straight from the pixels: " << pixels.worst());
+      CHECK(pixels.largestError() <= kGramPixelsTolerance);
+    });
+  }
+}
+
+TEST_CASE("weighted_sum and blended_sum agree with their oracles for lists of features") {
+  forEachList([](const CaseOptions& options) {
+    WeightedSumCase weighted(options);
+    checkWithin(weighted, options, kWeightedSumTolerance);
+    BlendedSumCase blended(options);
+    checkWithin(blended, options, kBlendedSumTolerance);
+  });
+}
+
+TEST_CASE("a list gives the same bits whatever the work-group and the number of lanes") {
+  Planes first;
+  for (const auto& [mapping, group] : {std::pair(Mapping::Wide, 1), std::pair(Mapping::Wide, 16),
+                                       std::pair(Mapping::Narrow, 64), std::pair(Mapping::Narrow, 256)}) {
+    CaseOptions options = makeOptions(kLists[7], {61, 43}, mapping);
+    options.fitGroup = group;
+    FitCase fit(options);
+    fit.upload();
+    fit.run();
+    if (first.values.empty()) first = fit.records();
+    INFO(describe(options));
+    CHECK(sameBits(first, fit.records()));
+  }
+}
