@@ -11,7 +11,11 @@ namespace {
 
 StageSetup makeAccumulateNoisySetup(const CaseOptions& options, const AccumulateNoisyVariant& variant) {
   StageSetup setup = makeSetup(options);
-  setMaterialViews(setup.frame, variant.material, options.layout, options.size);
+  if (variant.svgf()) {
+    setup.settings = Settings("svgf");
+    setup.settings.set("momentsLeastWeight", 0.15);  // told apart from the weight of the irradiance
+  }
+  setMaterialViews(setup, variant.material, options.layout);
   ImageLayout guide = options.layout;
   guide.channels = std::max(3, guide.channels);
   setup.frame.normalWorld = makeView(guide, options.size);
@@ -22,26 +26,35 @@ StageSetup makeAccumulateNoisySetup(const CaseOptions& options, const Accumulate
   } else {
     setup.frame.positionWorld = makeView(guide, options.size);
   }
+  guide.channels = 1;
+  if (variant.roughness) setup.frame.roughness = makeView(guide, options.size);
   return setup;
 }
 
 // Weights below 1 where the material fades out, 0 where a pixel could not be filtered; lengths up to the
 // largest.
-void randomHistory(AccumulateNoisyInputs& inputs, Size size, unsigned seed) {
+void randomLengths(AccumulateNoisyInputs& inputs, int signal, unsigned seed) {
   Random random(seed);
-  inputs.irradiancePrev = randomPlanes(size, 3, seed + 1, 0.0, 8.0);
-  inputs.historyLengthPrev = Planes(size, 1);
-  forEachPixel(size, [&](int x, int y) {
+  forEachPixel(inputs.historyLengthPrev.size(), [&](int x, int y) {
     const double kind = random.uniform();
-    float& weight = inputs.guidesPrev.at(QUELL_GUIDE_WEIGHT, x, y);
+    float& weight = inputs.guidesPrev.at(QUELL_GUIDE_WEIGHT + signal, x, y);
     if (kind < 0.03) {
       weight = 0.0f;
     } else if (kind < 0.1) {
       weight *= float(random.uniform(0.001, 1.0));
     }
     const int longest = kind < 0.2 ? QUELL_MAX_HISTORY_LENGTH : 12;
-    inputs.historyLengthPrev.at(0, x, y) = weight > 0.0f ? float(random.integer(1, longest)) : 0.0f;
+    inputs.historyLengthPrev.at(signal, x, y) = weight > 0.0f ? float(random.integer(1, longest)) : 0.0f;
   });
+}
+
+void randomHistory(AccumulateNoisyInputs& inputs, Size size, unsigned seed) {
+  const int signals = inputs.material.signals();
+  inputs.irradiancePrev = randomPlanes(size, 3 * signals, seed + 1, 0.0, 8.0);
+  inputs.momentsPrev = randomPlanes(size, QUELL_MOMENT_PLANES * signals, seed + 2, 0.0, 8.0);
+  inputs.historyLengthPrev = Planes(size, signals);
+  for (int signal = 0; signal < signals; ++signal)
+    randomLengths(inputs, signal, seed + 10 * unsigned(signal));
 }
 
 void comparePixelPrev(Comparison& comparison, const Planes& device, const ExactPlanes& exact,
@@ -62,15 +75,17 @@ void comparePixelPrev(Comparison& comparison, const Planes& device, const ExactP
 }  // namespace
 
 AccumulateNoisyCase::AccumulateNoisyCase(const CaseOptions& options, const AccumulateNoisyVariant& variant)
-    : StageCase("accumulate_noisy", makeAccumulateNoisySetup(options, variant)),
-      m_viewDepth(variant.viewDepth) {
+    : StageCase("accumulate_noisy", makeAccumulateNoisySetup(options, variant)), m_variant(variant) {
   const SceneView view = renderScene({}, options.size);
   inputs.material = randomMaterial(variant.material, options.size, options.seed);
   inputs.normal = view.normalWorld;
   inputs.position = variant.viewDepth ? view.viewDepth : view.positionWorld;
   inputs.positionIsDepth = variant.viewDepth;
-  inputs.guidesPrev = renderScene(movedCamera(), options.size).guides;
-  inputs.leastWeight = float(m_harness.configuration().settings.get("noisyLeastWeight"));
+  if (variant.roughness) inputs.roughness = randomImage(options.size, 1, options.seed + 10, -0.1, 1.1);
+  inputs.guidesPrev = renderScene(movedCamera(), options.size, inputs.material.signals()).guides;
+  const Settings& settings = m_harness.configuration().settings;
+  inputs.leastWeight = float(settings.get(variant.svgf() ? "irradianceLeastWeight" : "noisyLeastWeight"));
+  inputs.momentsLeastWeight = variant.svgf() ? float(settings.get("momentsLeastWeight")) : 0.0;
   randomHistory(inputs, options.size, options.seed + 20);
   useReprojection(makeReprojection({}, movedCamera(), options.size));
 }
@@ -81,19 +96,30 @@ void AccumulateNoisyCase::useReprojection(const ReprojectionParams& reprojection
 }
 
 void AccumulateNoisyCase::upload() {
-  ImageView Frame::*const position = m_viewDepth ? &Frame::viewDepth : &Frame::positionWorld;
+  ImageView Frame::*const position = m_variant.viewDepth ? &Frame::viewDepth : &Frame::positionWorld;
   uploadMaterial(m_harness, inputs.material);
   m_harness.setInput(&Frame::normalWorld, inputs.normal);
   m_harness.setInput(position, inputs.position);
   inputs.normal = asStored(inputs.normal, m_harness.configuration().frame.normalWorld);
-  m_harness.upload("irradiance.prev", inputs.irradiancePrev);
+  if (m_variant.roughness) m_harness.setInput(&Frame::roughness, inputs.roughness);
+  m_harness.upload(previousIrradiance(), inputs.irradiancePrev);
   m_harness.upload("historyLength.prev", inputs.historyLengthPrev);
   m_harness.upload("guides.prev", inputs.guidesPrev);
+  if (m_variant.svgf()) m_harness.upload("moments.prev", inputs.momentsPrev);
 }
 
 AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
-  return {m_harness.download("irradiance"), m_harness.download("historyLength"), m_harness.download("guides"),
-          m_harness.download("pixelPrev"), m_harness.download("reprojectionMask")};
+  const auto downloadIf = [&](bool wanted, const char* name) {
+    return wanted ? m_harness.download(name) : Planes();
+  };
+  return {m_harness.download("irradiance"),
+          m_harness.download("historyLength"),
+          m_harness.download("guides"),
+          m_harness.download("pixelPrev"),
+          m_harness.download("reprojectionMask"),
+          downloadIf(m_variant.svgf(), "moments"),
+          downloadIf(m_variant.svgf(), "viewDepth"),
+          downloadIf(m_variant.svgf() && m_variant.roughness, "roughness")};
 }
 
 Comparison AccumulateNoisyCase::compare() {
@@ -108,6 +134,12 @@ Comparison AccumulateNoisyCase::compare() {
   comparePixels(comparison, "guides", device.guides, exact.outputs.guides, excluded);
   comparePixels(comparison, "reprojectionMask", device.reprojectionMask, exact.outputs.reprojectionMask,
                 excluded);
+  const auto compareIfPresent = [&](const char* name, const Planes& planes, const ExactPlanes& expected) {
+    if (planes.count > 0) comparePixels(comparison, name, planes, expected, excluded);
+  };
+  compareIfPresent("moments", device.moments, exact.outputs.moments);
+  compareIfPresent("viewDepth", device.viewDepth, exact.outputs.viewDepth);
+  compareIfPresent("roughness", device.roughness, exact.outputs.roughness);
   comparePixelPrev(comparison, device.pixelPrev, exact.outputs.pixelPrev, exact.undecided);
   return comparison;
 }

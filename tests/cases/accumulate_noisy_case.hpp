@@ -6,8 +6,8 @@
 
 namespace quell::tests {
 
-/// Relative to the largest component of the pixel: demodulation, a weighted mean of five non-negative terms
-/// and positions up to ten scene units from the camera, about twenty float operations.
+/// Relative to the largest component of the pixel (moments: to the larger one): demodulation, a weighted mean of
+/// five non-negative terms and positions up to ten scene units from the camera, about twenty float operations.
 constexpr double kAccumulateNoisyTolerance = 1e-6;
 /// Pixels: half a step of 1/256 and the float rounding of the reprojection.
 constexpr double kPixelPrevTolerance = 0.5 / 256 + 1e-3;
@@ -15,6 +15,11 @@ constexpr double kPixelPrevTolerance = 0.5 / 256 + 1e-3;
 struct AccumulateNoisyVariant {
   MaterialVariant material = kFullMaterial;
   bool viewDepth = false;  ///< instead of world positions
+  /// As the method svgf has it: moments, view depth and, where the caller has it, roughness are written.
+  bool filterGuides = false;
+  bool roughness = false;  ///< whether the caller has it
+
+  bool svgf() const { return filterGuides || material.twoSignals; }
 };
 
 /// A moving camera before the test scene; the history is random.
@@ -34,7 +39,9 @@ class AccumulateNoisyCase : public StageCase {
   void useReprojection(const ReprojectionParams& reprojection);
 
  private:
-  bool m_viewDepth;
+  const std::string& previousIrradiance() const { return m_harness.row().reads.front(); }
+
+  AccumulateNoisyVariant m_variant;
 };
 
 }  // namespace quell::tests

@@ -26,12 +26,17 @@ void uploadImage(StageHarness& harness, ImageView Frame::*view, io::Image& image
 
 }  // namespace
 
-void setMaterialViews(Frame& frame, const MaterialVariant& variant, const ImageLayout& layout, Size size) {
-  frame.radiance = makeView(layout, size);
-  if (variant.emission) frame.emission = makeView(layout, size);
-  if (variant.albedo) frame.albedo = makeView(layout, size);
-  if (variant.glossColor) frame.glossColor = makeView(layout, size);
+void setMaterialViews(StageSetup& setup, const MaterialVariant& variant, const ImageLayout& layout) {
+  const ImageView view = makeView(layout, setup.size);
+  Frame& frame = setup.frame;
+  frame.radiance = view;
+  if (variant.twoSignals) frame.glossyRadiance = view;
+  if (variant.emission) frame.emission = view;
+  if (variant.albedo) frame.albedo = view;
+  if (variant.glossColor) frame.glossColor = view;
   frame.demodulated = variant.demodulated;
+  if (variant.twoSignals && setup.settings.method() == "bmfr") setup.settings = Settings("svgf");
+  setup.settings.set("demodulate", variant.divide ? "albedo" : "none");
 }
 
 MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigned seed) {
@@ -40,12 +45,15 @@ MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigne
   if (variant.emission) images.emission = randomImage(size, 3, seed + 1, 0.0, 0.5);
   if (variant.albedo) images.albedo = randomFactor(size, seed + 2, 1.0);
   if (variant.glossColor) images.glossColor = randomFactor(size, seed + 3, 0.3);
+  if (variant.twoSignals) images.glossyRadiance = randomImage(size, 3, seed + 4, 0.0, kBrightest);
   images.demodulated = variant.demodulated;
+  images.divide = variant.divide;
   return images;
 }
 
 void uploadMaterial(StageHarness& harness, MaterialImages& images) {
   uploadImage(harness, &Frame::radiance, images.radiance);
+  uploadImage(harness, &Frame::glossyRadiance, images.glossyRadiance);
   uploadImage(harness, &Frame::emission, images.emission);
   uploadImage(harness, &Frame::albedo, images.albedo);
   uploadImage(harness, &Frame::glossColor, images.glossColor);

@@ -1,4 +1,4 @@
-// Radiance and what it is divided by, for the cases of accumulate_noisy and remodulate.
+// Radiance and what it is divided by, for the cases of accumulate_noisy, demodulate and remodulate.
 #pragma once
 
 #include "tests/cases/stage_case.hpp"
@@ -12,13 +12,19 @@ struct MaterialVariant {
   bool albedo = false;
   bool glossColor = false;
   bool demodulated = false;
+  bool twoSignals = false;
+  bool divide = true;  ///< false: the setting demodulate is none
 };
 constexpr MaterialVariant kFullMaterial{true, true, true, false};
 constexpr MaterialVariant kPlainMaterial{false, false, false, false};
 constexpr MaterialVariant kDemodulatedMaterial{true, true, false, true};
+constexpr MaterialVariant kTwoSignals{true, true, true, false, true};
+constexpr MaterialVariant kTwoDemodulatedSignals{true, true, true, true, true};
+constexpr MaterialVariant kUndividedMaterial{true, true, true, false, false, false};
 
-/// Views of the images that the variant has, all in one layout.
-void setMaterialViews(Frame& frame, const MaterialVariant& variant, const ImageLayout& layout, Size size);
+/// Views of the images that the variant has, all in one layout, and the settings that go with it: two
+/// signals need another method than bmfr.
+void setMaterialViews(StageSetup& setup, const MaterialVariant& variant, const ImageLayout& layout);
 
 /// Random radiance; factors from 0 to 1 with many near 0, where demodulation fades out.
 MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigned seed);

@@ -8,7 +8,7 @@ namespace {
 
 StageSetup makeRemodulateSetup(const CaseOptions& options, const MaterialVariant& variant) {
   StageSetup setup = makeSetup(options);
-  setMaterialViews(setup.frame, variant, options.layout, options.size);
+  setMaterialViews(setup, variant, options.layout);
   setup.output.linear = makeView(options.layout, options.size);
   setup.output.display = makeView(packed(3), options.size);  // so that planes are written for the tone map
   return setup;
@@ -19,13 +19,14 @@ StageSetup makeRemodulateSetup(const CaseOptions& options, const MaterialVariant
 RemodulateCase::RemodulateCase(const CaseOptions& options, const MaterialVariant& variant)
     : StageCase("remodulate", makeRemodulateSetup(options, variant)), m_layout(options.layout) {
   inputs.material = randomMaterial(variant, options.size, options.seed);
-  inputs.filtered = randomPlanes(options.size, 3, options.seed + 10, 0.0, 8.0);
-  inputs.guides = renderScene({}, options.size).guides;
+  const int signals = inputs.material.signals();
+  inputs.filtered = randomPlanes(options.size, 3 * signals, options.seed + 10, 0.0, 8.0);
+  inputs.guides = renderScene({}, options.size, signals).guides;
 }
 
 void RemodulateCase::upload() {
   uploadMaterial(m_harness, inputs.material);
-  m_harness.upload("filtered", inputs.filtered);
+  m_harness.upload(m_harness.row().reads.front(), inputs.filtered);
   m_harness.upload("guides", inputs.guides);
 }
 

@@ -1,5 +1,9 @@
 // The quell tool as a user runs it: files, reports and messages.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -23,6 +27,33 @@ int quell(std::vector<std::string> arguments) {
 }
 
 const std::string kData = std::string(QUELL_DATA_DIR) + "/colonnade";
+
+// Two frames of data/colonnade with light of two kinds added.
+void writeTwoSignals(const std::string& directory) {
+  fs::copy(kData + "/camera.json", directory);
+  for (const char* frame : {"_0014.exr", "_0015.exr"}) {
+    for (const char* buffer : {"color", "shading_normal", "world_position", "albedo", "emission"})
+      fs::copy(kData + "/" + buffer + frame, directory);
+    const io::Image light = io::readExrRgb(kData + "/color" + frame);
+    io::writeExr(directory + "/diffuse_irradiance" + frame, light, io::ExrType::Half);
+    io::writeExr(directory + "/glossy_radiance" + frame, light, io::ExrType::Half);
+  }
+}
+
+// What a command that fails prints to the error stream, by way of this file.
+std::string complaintOf(std::vector<std::string> arguments, const std::string& file) {
+  std::fflush(stderr);
+  const int before = dup(STDERR_FILENO);
+  const int text = open(file.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
+  dup2(text, STDERR_FILENO);
+  const int code = quell(std::move(arguments));
+  std::fflush(stderr);
+  dup2(before, STDERR_FILENO);
+  close(text);
+  close(before);
+  CHECK(code == 1);
+  return io::readFile(file);
+}
 
 }  // namespace
 
@@ -86,6 +117,60 @@ TEST_CASE("a tool's mistakes are answered, not crashed on", "[cli]") {
   CHECK(quell({"denoise", "--size", "8x8", "--set", "taaNewestWeight=7"}) == 1);
   CHECK(quell({"denoise", "--size", "8x8", "--set", "taaNewestWeight"}) == 1);
   CHECK(quell({"denoise", "--size", "8x8", "--device", "no such device"}) == 1);
+  CHECK(quell({"denoise", "--size", "8x8", "--signals", "2"}) == 1);
+}
+
+TEST_CASE("denoise takes two signals where the sequence has them", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string input = directory.path(), json = directory.path() + "/report.json";
+  writeTwoSignals(input);
+  for (const char* method : {"svgf", "atrous"}) {
+    const auto hashOf = [&](const char* signals) {
+      REQUIRE(quell({"denoise", "--method", method, "--input", input, "--signals", signals, "--output",
+                     directory.path() + "/out", "--json", json}) == 0);
+      const auto report = nlohmann::json::parse(io::readFile(json));
+      CHECK(report.at("frames") == 2);
+      return report.at("output_hash").get<std::string>();
+    };
+    CHECK(hashOf("2") != hashOf("1"));
+  }
+  CHECK(quell({"bench", "--input", input, "--methods", "svgf", "--signals", "2", "--repeat", "1"}) == 0);
+  // bmfr filters one signal.
+  CHECK(quell({"denoise", "--method", "bmfr", "--input", input, "--signals", "2"}) == 1);
+}
+
+TEST_CASE("two signals are refused where there is one, saying why", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string text = directory.path() + "/stderr";
+  using Catch::Contains;
+  for (const char* command : {"denoise", "bench"}) {
+    CHECK_THAT(complaintOf({command, "--size", "40x30", "--signals", "2"}, text),
+               Contains("--signals") && Contains("built-in sequence"));
+    CHECK_THAT(complaintOf({command, "--input", kData, "--signals", "2"}, text),
+               Contains("diffuse_irradiance_0004.exr"));
+    io::writeTextFile(directory.path() + "/camera_matrices.h", "");
+    CHECK_THAT(complaintOf({command, "--input", directory.path(), "--signals", "2"}, text),
+               Contains("two signals") && Contains("camera_matrices.h, which has one"));
+  }
+}
+
+TEST_CASE("denoise starts from presets and leaves light undivided on demand", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string json = directory.path() + "/report.json";
+  const auto settingsOf = [&](std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"denoise", "--method", "svgf", "--size", "40x30", "--frame-count", "2", "--json", json});
+    REQUIRE(quell(std::move(more)) == 0);
+    return nlohmann::json::parse(io::readFile(json)).at("settings");
+  };
+  CHECK(settingsOf({}).at("demodulate") == "albedo");
+  const auto chosen = settingsOf({"--preset", "paper", "--demodulate", "none", "--set", "iterations=3"});
+  CHECK(chosen.at("demodulate") == "none");
+  CHECK(chosen.at("luminanceSigma") == 4.0);
+  CHECK(chosen.at("iterations") == 3);
+  CHECK(quell({"denoise", "--size", "8x8", "--preset", "best"}) != 0);
+  CHECK(quell({"denoise", "--size", "8x8", "--demodulate", "gloss"}) == 1);
+  CHECK(quell({"denoise", "--size", "8x8", "--signals", "3"}) != 0);
 }
 
 TEST_CASE("an output directory that cannot be made is an error and leaves nothing", "[cli]") {

@@ -131,4 +131,58 @@ TEST_CASE("a value out of range is refused with the range and leaves the old one
                          failsWith(ErrorCode::OutOfRange, {"pixel footprints", "-1"}));
 }
 
+TEST_CASE("a preset sets what it has a value for", "[core]") {
+  for (const std::string& method : methodNames()) {
+    Settings settings(method);
+    for (const SettingDescription& setting : settings.descriptions())
+      if (setting.kind != SettingKind::Text) settings.set(setting.name, setting.maximum);
+    settings.usePreset("paper");
+    for (const SettingDescription& setting : settings.descriptions()) {
+      INFO(method << "." << setting.name);
+      if (setting.paper) {
+        CHECK(settings.get(setting.name) == *setting.paper);
+        CHECK(setting.minimum <= *setting.paper);
+        CHECK(*setting.paper <= setting.maximum);
+      } else if (setting.kind != SettingKind::Text) {
+        CHECK(settings.get(setting.name) == setting.maximum);
+      }
+    }
+    settings.usePreset("default");
+    for (const SettingDescription& setting : settings.descriptions())
+      CHECK(settings.text(setting.name) == Settings(method).text(setting.name));
+  }
+}
+
+TEST_CASE("the paper's svgf can be had by name", "[core]") {
+  Settings settings("svgf");
+  settings.usePreset("paper");
+  CHECK(settings.get("irradianceLeastWeight") == 0.2);
+  CHECK(settings.get("momentsLeastWeight") == 0.2);
+  CHECK(settings.get("luminanceSigma") == 4.0);
+  CHECK(settings.get("normalPower") == 128.0);
+  CHECK(settings.get("depthSigma") == 1.0);
+  CHECK(settings.get("iterations") == 5.0);
+  CHECK(settings.get("temporalVarianceFrames") == 4.0);
+  CHECK(settings.text("feedback") == "first");
+}
+
+TEST_CASE("an unknown preset is refused and changes nothing", "[core]") {
+  Settings settings("svgf");
+  settings.set("iterations", 3.0);
+  REQUIRE_THROWS_MATCHES(settings.usePreset("papr"), Error,
+                         failsWith(ErrorCode::UnknownSetting, {"preset", "default or paper", "papr"}));
+  CHECK(settings.get("iterations") == 3.0);
+}
+
+TEST_CASE("every method can leave light undivided", "[core]") {
+  for (const std::string& method : methodNames()) {
+    Settings settings(method);
+    CHECK(settings.text("demodulate") == "albedo");
+    settings.set("demodulate", "none");
+    CHECK(settings.text("demodulate") == "none");
+    REQUIRE_THROWS_MATCHES(settings.set("demodulate", "gloss"), Error,
+                           failsWith(ErrorCode::OutOfRange, {"demodulate", "none", "albedo", "gloss"}));
+  }
+}
+
 }  // namespace quell::tests

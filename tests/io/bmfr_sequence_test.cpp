@@ -171,3 +171,10 @@ TEST_CASE("missing frames and other sizes are named in this layout too") {
                            failsWith(ErrorCode::InvalidArgument, {"world_position1.exr", "12x10", "5x10"}));
   }
 }
+
+TEST_CASE("this layout has no two signals") {
+  const SmallSequence files;
+  REQUIRE_THROWS_MATCHES(
+      openSequence(files.directory.path(), 2), Error,
+      failsWith(ErrorCode::FileError, {"two signals", "camera.json", "camera_matrices.h", "one"}));
+}

@@ -146,3 +146,36 @@ TEST_CASE("frames that are not there and directories of another kind are refused
   REQUIRE_THROWS_MATCHES(openSequence(empty.path()), Error,
                          failsWith(ErrorCode::FileError, {"color_0000.exr", "none"}));
 }
+
+TEST_CASE("two signals are read beside the picture as a whole") {
+  const SmallSequence files;
+  for (int frame : {3, 4, 5}) {
+    writeExr(files.fileOf("diffuse_irradiance", frame), noiseImage(kWidth, kHeight, 3, 30), ExrType::Float);
+    writeExr(files.fileOf("glossy_radiance", frame), noiseImage(kWidth, kHeight, 3, 40), ExrType::Float);
+  }
+  const FrameData whole = openSequence(files.directory.path())->read(4);
+  REQUIRE(whole.glossyRadiance.empty());
+  REQUIRE(whole.combined.empty());
+  REQUIRE_FALSE(whole.demodulated);
+  REQUIRE(samePixels(whole.noisy(), whole.radiance));
+  const FrameData frame = openSequence(files.directory.path(), 2)->read(4);
+  REQUIRE(frame.demodulated);
+  REQUIRE(samePixels(frame.combined, whole.radiance));
+  REQUIRE(samePixels(frame.radiance, noiseImage(kWidth, kHeight, 3, 30)));
+  REQUIRE(samePixels(frame.glossyRadiance, noiseImage(kWidth, kHeight, 3, 40)));
+  REQUIRE(samePixels(frame.noisy(), frame.combined));
+  REQUIRE(frame.comparable());
+}
+
+TEST_CASE("two signals need both of their buffers in every frame") {
+  const SmallSequence files;
+  for (int frame : {3, 4, 5}) files.add("diffuse_irradiance", frame);
+  for (int frame : {3, 4}) files.add("glossy_radiance", frame);
+  REQUIRE_THROWS_MATCHES(openSequence(files.directory.path(), 2), Error,
+                         failsWith(ErrorCode::FileError, {"glossy_radiance_0005.exr"}));
+  files.add("glossy_radiance", 5);
+  REQUIRE_NOTHROW(openSequence(files.directory.path(), 2));
+  files.remove("diffuse_irradiance", 3);
+  REQUIRE_THROWS_MATCHES(openSequence(files.directory.path(), 2), Error,
+                         failsWith(ErrorCode::FileError, {"diffuse_irradiance_0003.exr"}));
+}

@@ -106,73 +106,108 @@ class PixelOracle {
 
 struct History {
   Vector3d irradiance = Vector3d::Zero();
+  double moments[QUELL_MOMENT_PLANES] = {};
   double length = 0.0;  // rounded to the closest integer
   double weight = 0.0;
   int mask = 0;
 };
 
 History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, const Surface& surface,
-                      double x, double y) {
+                      int signal, double x, double y) {
   History history;
   history.mask = QUELL_PREV_IN_FRAME;
   if (!surface.valid) return history;
   for (const Tap& tap : bilinearTaps(inputs.irradiancePrev.size(), x, y)) {
     if (!tap.inFrame) continue;
-    const double weight = tap.weight * inputs.guidesPrev.at(QUELL_GUIDE_WEIGHT, tap.x, tap.y);
+    const double weight = tap.weight * inputs.guidesPrev.at(QUELL_GUIDE_WEIGHT + signal, tap.x, tap.y);
     if (!(weight > 0.0) || !oracle.sameSurface(surface, tap)) continue;
-    history.irradiance += weight * planeVector(inputs.irradiancePrev, 0, tap.x, tap.y);
-    history.length += weight * inputs.historyLengthPrev.at(0, tap.x, tap.y);
+    history.irradiance += weight * planeVector(inputs.irradiancePrev, 3 * signal, tap.x, tap.y);
+    for (int i = 0; i < QUELL_MOMENT_PLANES && inputs.momentsLeastWeight > 0.0; ++i)
+      history.moments[i] += weight * inputs.momentsPrev.at(QUELL_MOMENT_PLANES * signal + i, tap.x, tap.y);
+    history.length += weight * inputs.historyLengthPrev.at(signal, tap.x, tap.y);
     history.weight += weight;
     history.mask |= QUELL_TAP_ACCEPTED(tap.index);
   }
   if (history.weight == 0.0) return history;
   history.irradiance /= history.weight;
+  for (double& moment : history.moments) moment /= history.weight;
   history.length /= history.weight;
   oracle.doubt(history.length + 0.5, std::round(history.length + 0.5), kLengthRounding);
   history.length = std::floor(history.length + 0.5);
   return history;
 }
 
-void storePixel(AccumulateNoisyOutputs<double>& outputs, int x, int y, const Irradiance& sample, bool present,
-                const Surface& surface, const History& history, double leastWeight) {
-  const bool hasHistory = history.weight > 0.0;
-  const double cumulative = 1.0 / (history.length + 1.0);
-  const double blend = !present ? 0.0 : hasHistory ? std::max(cumulative, leastWeight) : 1.0;
+// Weight of the newest of the samples behind a mean.
+double newestWeight(bool present, const History& history, double leastWeight) {
+  if (!present) return 0.0;
+  return history.weight > 0.0 ? std::max(1.0 / (history.length + 1.0), leastWeight) : 1.0;
+}
+
+// Rec. 709.
+double luminance(const Vector3d& rgb) { return Vector3d(0.2126, 0.7152, 0.0722).dot(rgb); }
+
+void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int y, const Irradiance& sample,
+                 bool present, const History& history, const AccumulateNoisyInputs& inputs) {
+  const double blend = newestWeight(present, history, inputs.leastWeight);
   const Vector3d blended = blend * sample.value + (1.0 - blend) * history.irradiance;
+  for (int c = 0; c < 3; ++c) outputs.irradiance.at(3 * signal + c, x, y) = blended[c];
+  outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present                ? sample.weight
+                                                         : history.weight > 0.0 ? 1.0
+                                                                                : 0.0;
+  outputs.historyLength.at(signal, x, y) =
+      std::min<double>(history.length + (present ? 1 : 0), QUELL_MAX_HISTORY_LENGTH);
+  outputs.reprojectionMask.at(signal, x, y) = history.mask;
+  if (inputs.momentsLeastWeight == 0.0) return;
+  const double momentsBlend = newestWeight(present, history, inputs.momentsLeastWeight);
+  for (int i = 0; i < QUELL_MOMENT_PLANES; ++i)
+    outputs.moments.at(QUELL_MOMENT_PLANES * signal + i, x, y) =
+        momentsBlend * std::pow(luminance(sample.value), i + 1) + (1.0 - momentsBlend) * history.moments[i];
+}
+
+void storeSurface(AccumulateNoisyOutputs<double>& outputs, int x, int y, const Surface& surface,
+                  const AccumulateNoisyInputs& inputs) {
   for (int axis = 0; axis < 3; ++axis) {
-    outputs.irradiance.at(axis, x, y) = blended[axis];
     outputs.guides.at(QUELL_GUIDE_POSITION + axis, x, y) = surface.position[axis];
     outputs.guides.at(QUELL_GUIDE_NORMAL + axis, x, y) = surface.normal[axis];
   }
-  outputs.guides.at(QUELL_GUIDE_WEIGHT, x, y) = present ? sample.weight : hasHistory ? 1.0 : 0.0;
-  outputs.historyLength.at(0, x, y) =
-      std::min<double>(history.length + (present ? 1 : 0), QUELL_MAX_HISTORY_LENGTH);
-  outputs.reprojectionMask.at(0, x, y) = history.mask;
+  const QuellFloat4& axis = inputs.reprojection.viewDepth;
+  outputs.viewDepth.at(0, x, y) = linearPart(axis).dot(surface.position) + axis.w;
+  if (inputs.roughness.empty()) return;
+  const double roughness = inputs.roughness.at(x, y, 0);
+  outputs.roughness.at(0, x, y) = std::isfinite(roughness) ? std::clamp(roughness, 0.0, 1.0) : 1.0;
+}
+
+AccumulateNoisyExact emptyOutputs(Size size, int signals) {
+  return {{ExactPlanes(size, 3 * signals), ExactPlanes(size, signals),
+           ExactPlanes(size, QUELL_GUIDE_WEIGHT + signals), ExactPlanes(size, 2), ExactPlanes(size, signals),
+           ExactPlanes(size, QUELL_MOMENT_PLANES * signals), ExactPlanes(size, 1), ExactPlanes(size, 1)},
+          BasicPlanes<char>(size, 1)};
 }
 
 }  // namespace
 
 AccumulateNoisyExact accumulateNoisyOracle(const AccumulateNoisyInputs& inputs, const Planes& pixelPrev) {
   const Size size = inputs.irradiancePrev.size();
-  AccumulateNoisyExact exact{
-      {ExactPlanes(size, 3), ExactPlanes(size, 1), ExactPlanes(size, QUELL_GUIDE_PLANES),
-       ExactPlanes(size, 2), ExactPlanes(size, 1)},
-      BasicPlanes<char>(size, 1)};
+  const int signals = inputs.material.signals();
+  AccumulateNoisyExact exact = emptyOutputs(size, signals);
   forEachPixel(size, [&](int x, int y) {
     PixelOracle oracle(inputs, x, y);
-    const Material material = materialAt(inputs.material, x, y);
-    const Irradiance sample =
-        inputs.material.demodulated ? Irradiance{material.signal, 1.0} : demodulate(material);
     const Surface surface = oracle.surface();
     const Place place = oracle.reproject(surface);
-    const History history =
-        place.inside ? gatherHistory(inputs, oracle, surface, pixelPrev.at(0, x, y), pixelPrev.at(1, x, y))
-                     : History();
-    const bool present = material.finite && sample.weight > 0.0 && surface.valid;
-    storePixel(exact.outputs, x, y, sample, present, surface, history, inputs.leastWeight);
+    for (int signal = 0; signal < signals; ++signal) {
+      const Material material = materialAt(inputs.material, x, y, signal);
+      const Irradiance sample = demodulate(material);
+      const History history = place.inside ? gatherHistory(inputs, oracle, surface, signal,
+                                                           pixelPrev.at(0, x, y), pixelPrev.at(1, x, y))
+                                           : History();
+      const bool present = material.finite && sample.weight > 0.0 && surface.valid;
+      storeSignal(exact.outputs, signal, x, y, sample, present, history, inputs);
+      oracle.undecided = oracle.undecided || factorUndecided(material);
+    }
+    storeSurface(exact.outputs, x, y, surface, inputs);
     exact.outputs.pixelPrev.at(0, x, y) = place.pixel.x();
     exact.outputs.pixelPrev.at(1, x, y) = place.pixel.y();
-    exact.undecided.at(0, x, y) = oracle.undecided || factorUndecided(material);
+    exact.undecided.at(0, x, y) = oracle.undecided;
   });
   return exact;
 }

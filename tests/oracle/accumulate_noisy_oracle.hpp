@@ -1,5 +1,5 @@
-// Double-precision oracle of the stage accumulate_noisy (Koskela et al. 2019, phase I), see
-// kernels/accumulate_noisy.cl.
+// Double-precision oracle of the stage accumulate_noisy (Koskela et al. 2019, phase I; moments: Schied et al. 2017),
+// see kernels/accumulate_noisy.cl.
 #pragma once
 
 #include "kernels/accumulate_noisy_params.h"
@@ -13,16 +13,20 @@ struct AccumulateNoisyInputs {
   io::Image normal;
   io::Image position;  ///< world positions, or view depth
   bool positionIsDepth = false;
-  Planes irradiancePrev;     ///< 3 planes
-  Planes historyLengthPrev;  ///< 1 plane
-  Planes guidesPrev;         ///< 7 planes
+  io::Image roughness;       ///< empty: absent
+  Planes irradiancePrev;     ///< 3 planes a signal
+  Planes historyLengthPrev;  ///< 1 plane a signal
+  Planes guidesPrev;         ///< 7 planes, with two signals 8
+  Planes momentsPrev;        ///< 2 planes a signal; used only where moments are asked for
   ReprojectionParams reprojection{};
   double leastWeight = 0.2;
+  double momentsLeastWeight = 0.0;  ///< 0: no moments
 };
 
 template <class Value>
 struct AccumulateNoisyOutputs {
   BasicPlanes<Value> irradiance, historyLength, guides, pixelPrev, reprojectionMask;
+  BasicPlanes<Value> moments, viewDepth, roughness;  ///< empty where there are none
 };
 
 struct AccumulateNoisyExact {

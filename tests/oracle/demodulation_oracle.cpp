@@ -19,6 +19,21 @@ Vector3d cleanFactor(const Vector3d& factor) {
 
 double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
+// What tints this signal; 1 where the image is absent.
+Vector3d colorAt(const MaterialImages& images, int x, int y, int signal) {
+  const bool apart = images.signals() == 2;
+  Vector3d color = Vector3d::Zero();
+  bool any = false;
+  const auto add = [&](const io::Image& image, int ofSignal) {
+    if (image.empty() || (apart && signal != ofSignal)) return;
+    color += cleanFactor(rgbAt(image, x, y));
+    any = true;
+  };
+  add(images.albedo, 0);
+  add(images.glossColor, 1);
+  return any ? color : Vector3d::Ones();
+}
+
 }  // namespace
 
 Vector3d rgbAt(const io::Image& image, int x, int y) {
@@ -28,17 +43,21 @@ Vector3d rgbAt(const io::Image& image, int x, int y) {
   return rgb;
 }
 
-Material materialAt(const MaterialImages& images, int x, int y) {
+Material materialAt(const MaterialImages& images, int x, int y, int signal) {
   Material material;
-  const Vector3d radiance = rgbAt(images.radiance, x, y);
-  const Vector3d emission = images.emission.empty() ? Vector3d::Zero() : rgbAt(images.emission, x, y);
+  const Vector3d radiance = rgbAt(signal == 0 ? images.radiance : images.glossyRadiance, x, y);
+  const bool emits = signal == 0 && !images.emission.empty();
+  const Vector3d emission = emits ? rgbAt(images.emission, x, y) : Vector3d::Zero();
   material.finite = radiance.allFinite() && emission.allFinite();
   if (emission.allFinite()) material.emission = emission;
   const Vector3d light = images.demodulated ? radiance : Vector3d(radiance - emission);
   if (material.finite) material.signal = light.cwiseMax(0.0).cwiseMin(QUELL_MAX_RADIANCE);
-  if (!images.albedo.empty() || !images.glossColor.empty()) material.factor.setZero();
-  if (!images.albedo.empty()) material.factor += cleanFactor(rgbAt(images.albedo, x, y));
-  if (!images.glossColor.empty()) material.factor += cleanFactor(rgbAt(images.glossColor, x, y));
+  const Vector3d color = colorAt(images, x, y, signal);
+  if (images.demodulated) {
+    material.tint = color;
+  } else if (images.divide) {
+    material.factor = color;
+  }
   return material;
 }
 

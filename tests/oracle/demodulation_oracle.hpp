@@ -1,5 +1,5 @@
-// Double-precision oracle of common/demodulation.h: irradiance = (radiance - emission) / material factor, and
-// the share of every channel that is filtered.
+// Double-precision oracle of common/demodulation.h and common/material.h: the signals of a pixel, irradiance =
+// (radiance - emission) / material factor, and the share of every channel that is filtered.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,16 +14,22 @@ using Eigen::Vector3d;
 struct MaterialImages {
   io::Image radiance, emission, albedo, glossColor;
   bool demodulated = false;  ///< radiance is irradiance already
+  io::Image glossyRadiance;  ///< makes two signals of them
+  bool divide = true;        ///< false: light is filtered as it is
+
+  int signals() const { return glossyRadiance.empty() ? 1 : 2; }
 };
 
-/// One pixel of them, cleaned.
+/// One signal of one pixel of them, cleaned.
 struct Material {
-  bool finite = true;                    ///< neither radiance nor emission is NaN or Inf
-  Vector3d signal = Vector3d::Zero();    ///< radiance without emission, [0, 65504]; irradiance if demodulated
-  Vector3d emission = Vector3d::Zero();  ///< 0 where it is not finite
-  Vector3d factor = Vector3d::Ones();    ///< albedo plus gloss colour, >= 0
+  bool finite = true;                    ///< neither light nor emission is NaN or Inf
+  Vector3d signal = Vector3d::Zero();    ///< light without emission, [0, 65504]
+  Vector3d emission = Vector3d::Zero();  ///< of the first signal; 0 where it is not finite
+  Vector3d factor = Vector3d::Ones();    ///< what filters see the signal divided by, >= 0
+  Vector3d tint = Vector3d::Ones();      ///< what the result is multiplied by once more, >= 0
 };
-Material materialAt(const MaterialImages& images, int x, int y);
+/// One signal: albedo plus gloss colour tint it. Two: albedo tints the first, gloss colour the second.
+Material materialAt(const MaterialImages& images, int x, int y, int signal = 0);
 
 /// Three components of a pixel: one channel is spread, a missing third is 0.
 Vector3d rgbAt(const io::Image& image, int x, int y);

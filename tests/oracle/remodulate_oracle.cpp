@@ -13,21 +13,24 @@ bool isSurface(const Planes& guides, int x, int y) {
   return false;
 }
 
+// Radiance of one signal, and the largest of its terms.
 struct Remodulated {
-  Vector3d linear;
+  Vector3d light;
   double magnitude;
 };
 
-Remodulated remodulate(const Material& material, bool demodulated, bool surface, const Vector3d& filtered) {
-  const Vector3d signal =
-      demodulated ? Vector3d(material.signal.cwiseProduct(material.factor)) : material.signal;
+Remodulated remodulate(const Material& material, bool surface, const Vector3d& filtered) {
   const Vector3d product = material.factor.cwiseProduct(filtered);
-  Vector3d share = demodulated ? Vector3d::Ones() : filteredShare(material.factor);
-  if (!surface) share.setZero();
-  const Vector3d light = share.cwiseProduct(product) + (Vector3d::Ones() - share).cwiseProduct(signal);
-  const Vector3d sum = light + material.emission;
-  return {sum.cwiseMax(0.0).cwiseMin(QUELL_MAX_RADIANCE),
-          std::max({signal.maxCoeff(), product.maxCoeff(), material.emission.cwiseAbs().maxCoeff()})};
+  const Vector3d share = surface ? filteredShare(material.factor) : Vector3d::Zero();
+  const Vector3d blended =
+      share.cwiseProduct(product) + (Vector3d::Ones() - share).cwiseProduct(material.signal);
+  return {material.tint.cwiseProduct(blended),
+          material.tint.maxCoeff() * std::max(material.signal.maxCoeff(), product.maxCoeff())};
+}
+
+Vector3d filteredAt(const Planes& filtered, int x, int y, int signal) {
+  return {filtered.at(3 * signal, x, y), filtered.at(3 * signal + 1, x, y),
+          filtered.at(3 * signal + 2, x, y)};
 }
 
 }  // namespace
@@ -36,14 +39,18 @@ RemodulateExact remodulateOracle(const RemodulateInputs& inputs) {
   const Size size = inputs.filtered.size();
   RemodulateExact exact{ExactPlanes(size, 3), ExactPlanes(size, 1), BasicPlanes<char>(size, 1)};
   forEachPixel(size, [&](int x, int y) {
-    const Material material = materialAt(inputs.material, x, y);
-    const Vector3d filtered(inputs.filtered.at(0, x, y), inputs.filtered.at(1, x, y),
-                            inputs.filtered.at(2, x, y));
-    const Remodulated result =
-        remodulate(material, inputs.material.demodulated, isSurface(inputs.guides, x, y), filtered);
-    for (int c = 0; c < 3; ++c) exact.linear.at(c, x, y) = result.linear[c];
-    exact.magnitude.at(0, x, y) = result.magnitude;
-    exact.undecided.at(0, x, y) = factorUndecided(material);
+    const bool surface = isSurface(inputs.guides, x, y);
+    Vector3d sum = Vector3d::Zero();
+    for (int signal = 0; signal < inputs.material.signals(); ++signal) {
+      const Material material = materialAt(inputs.material, x, y, signal);
+      const Remodulated result = remodulate(material, surface, filteredAt(inputs.filtered, x, y, signal));
+      sum += material.emission + result.light;
+      double& magnitude = exact.magnitude.at(0, x, y);
+      magnitude = std::max({magnitude, result.magnitude, material.emission.cwiseAbs().maxCoeff()});
+      exact.undecided.at(0, x, y) |= char(factorUndecided(material));
+    }
+    for (int c = 0; c < 3; ++c)
+      exact.linear.at(c, x, y) = std::clamp<double>(sum[c], 0.0, QUELL_MAX_RADIANCE);
   });
   return exact;
 }

@@ -8,8 +8,8 @@ namespace quell::tests {
 
 struct RemodulateInputs {
   MaterialImages material;
-  Planes filtered;  ///< 3 planes
-  Planes guides;    ///< 7 planes
+  Planes filtered;  ///< 3 planes a signal
+  Planes guides;    ///< of the frame
 };
 
 struct RemodulateExact {

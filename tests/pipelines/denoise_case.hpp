@@ -1,12 +1,17 @@
 // Runs a whole method over a sequence in host memory, for tests.
 #pragma once
 
+#include <cmath>
+#include <cstdlib>
 #include <functional>
+#include <limits>
+#include <numeric>
 #include <quell/quell.hpp>
 #include <vector>
 
 #include "host/cli/denoise_session.hpp"
 #include "host/io/analytic_sequence.hpp"
+#include "host/metrics/display_encoding.hpp"
 
 namespace quell::tests {
 
@@ -50,6 +55,46 @@ inline std::unique_ptr<io::FrameSequence> analyticSequence(
   options.referenceSamples = referenceSamples;
   options.movingCamera = movingCamera;
   return io::makeAnalyticSequence(options);
+}
+
+constexpr float kMostRadiance = 65504.0f;
+
+/// 0, 1 ... count - 1.
+inline std::vector<int> firstFrames(int count) {
+  std::vector<int> frames(static_cast<std::size_t>(count));
+  std::iota(frames.begin(), frames.end(), 0);
+  return frames;
+}
+
+/// Of the pictures as they are displayed.
+inline double encodedRmse(const io::Image& a, const io::Image& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const double difference = metrics::encodeDisplay(a.pixels[i]) - metrics::encodeDisplay(b.pixels[i]);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / static_cast<double>(a.pixels.size()));
+}
+
+/// Values that break careless code; the last ones are fireflies, which a history keeps for long.
+constexpr int kPoisons = 6, kPoisonsWithoutFireflies = 4;
+
+/// Puts them into pixels of all images of the first three frames.
+inline void breakPixels(io::FrameData& frame, int poisons = kPoisons) {
+  if (frame.number > 2) return;
+  const float infinity = std::numeric_limits<float>::infinity();
+  const float poison[kPoisons] = {
+      std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, -3.0f, 1e30f, 3e38f};
+  const int width = frame.radiance.width, height = frame.radiance.height;
+  io::Image* const images[] = {&frame.radiance, &frame.normalWorld, &frame.positionWorld,  &frame.albedo,
+                               &frame.emission, &frame.roughness,   &frame.glossyRadiance, &frame.glossColor};
+  for (int k = 0; k < poisons; ++k) {
+    for (int i = 0; i < 8; ++i) {
+      if (images[i]->empty()) continue;
+      images[i]->at((17 * k + 13 * i + frame.number) % width, (11 * k + 7 * i) % height,
+                    i % images[i]->channels) = poison[k];
+    }
+  }
 }
 
 /// True if every sample is finite and within [0, most].

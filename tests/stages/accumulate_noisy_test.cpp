@@ -30,7 +30,27 @@ void fill(Planes& planes, float value) { std::fill(planes.values.begin(), planes
 bool isSurface(const Planes& guides, int x, int y) { return guides.at(QUELL_GUIDE_WEIGHT, x, y) > 0.0f; }
 
 std::vector<const Planes*> allOutputs(const AccumulateNoisyOutputs<float>& o) {
-  return {&o.irradiance, &o.historyLength, &o.guides, &o.pixelPrev, &o.reprojectionMask};
+  return {&o.irradiance,       &o.historyLength, &o.guides,    &o.pixelPrev,
+          &o.reprojectionMask, &o.moments,       &o.viewDepth, &o.roughness};
+}
+
+// What a run with this signal alone would get.
+AccumulateNoisyInputs inputsOfSignal(const AccumulateNoisyInputs& both, int signal) {
+  AccumulateNoisyInputs one = both;
+  one.material.glossyRadiance = io::Image();
+  one.roughness = io::Image();
+  if (signal == 0) {
+    one.material.glossColor = io::Image();
+  } else {
+    one.material.radiance = both.material.glossyRadiance;
+    one.material.albedo = io::Image();
+    one.material.emission = io::Image();
+  }
+  one.irradiancePrev = planesOf(both.irradiancePrev, 3 * signal, 3);
+  one.historyLengthPrev = planesOf(both.historyLengthPrev, signal, 1);
+  one.momentsPrev = planesOf(both.momentsPrev, QUELL_MOMENT_PLANES * signal, QUELL_MOMENT_PLANES);
+  one.guidesPrev = guidesOfSignal(both.guidesPrev, signal);
+  return one;
 }
 
 // So near that history is shared among neighbours.
@@ -41,17 +61,27 @@ TestCamera slightlyMovedCamera() {
   return camera;
 }
 
-const AccumulateNoisyVariant kPlain{kPlainMaterial, false};
+const AccumulateNoisyVariant kPlain{kPlainMaterial};
+const AccumulateNoisyVariant kPlainWithMoments{kPlainMaterial, false, true};
+const AccumulateNoisyVariant kEverything{kTwoSignals, false, true, true};
 
 }  // namespace
 
 TEST_CASE("accumulate_noisy agrees with its oracle") { checkSizes(maker()); }
 
+TEST_CASE("accumulate_noisy agrees with its oracle for two signals, moments and guides of filters") {
+  checkSizes(maker(kEverything));
+}
+
 TEST_CASE("accumulate_noisy agrees with its oracle whichever images there are") {
   const AccumulateNoisyVariant variants[] = {{kPlainMaterial, true},
                                              {kDemodulatedMaterial, false},
                                              {{false, true, false, false}, false},
-                                             {{false, false, true, false}, true}};
+                                             {{false, false, true, false}, true},
+                                             {kUndividedMaterial},
+                                             {kTwoDemodulatedSignals, false, true, true},
+                                             {{false, false, false, false, true}, true, true, false},
+                                             {{true, true, true, false, true, false}, false, true, true}};
   for (const AccumulateNoisyVariant& variant : variants) checkLayouts(maker(variant), {packed(3)});
 }
 
@@ -59,6 +89,53 @@ TEST_CASE("accumulate_noisy reads every layout") { checkLayouts(maker(), inputLa
 
 TEST_CASE("accumulate_noisy does not depend on the work-group") {
   checkWorkGroups(maker(), {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});
+  checkWorkGroups(maker(kEverything), {"irradiance", "historyLength", "guides", "pixelPrev",
+                                       "reprojectionMask", "moments", "viewDepth", "roughness"});
+}
+
+TEST_CASE("accumulate_noisy of two signals equals two runs of one") {
+  CaseOptions options;
+  options.size = {61, 40};
+  AccumulateNoisyCase both(options, kEverything);
+  both.upload();
+  both.run();
+  const auto expected = both.outputs();
+  const MaterialVariant alone[] = {{true, true, false}, {false, false, true}};
+  for (const int signal : {0, 1}) {
+    AccumulateNoisyCase one(options, {alone[signal], false, true});
+    one.inputs = inputsOfSignal(both.inputs, signal);
+    one.upload();
+    one.run();
+    const auto outputs = one.outputs();
+    Comparison comparison;
+    compareSignal(comparison, "irradiance", expected.irradiance, 3 * signal, outputs.irradiance);
+    compareSignal(comparison, "moments", expected.moments, QUELL_MOMENT_PLANES * signal, outputs.moments);
+    compareSignal(comparison, "historyLength", expected.historyLength, signal, outputs.historyLength);
+    compareSignal(comparison, "mask", expected.reprojectionMask, signal, outputs.reprojectionMask);
+    compareSignal(comparison, "weight", expected.guides, QUELL_GUIDE_WEIGHT + signal,
+                  planesOf(outputs.guides, QUELL_GUIDE_WEIGHT, 1));
+    compareSignal(comparison, "guides", expected.guides, 0, planesOf(outputs.guides, 0, QUELL_GUIDE_WEIGHT));
+    INFO(comparison.worst());
+    CHECK(comparison.largestError() <= kAccumulateNoisyTolerance);
+  }
+}
+
+TEST_CASE("accumulate_noisy: a broken glossy sample leaves the diffuse signal alone") {
+  CaseOptions options;
+  options.size = {61, 40};
+  AccumulateNoisyCase noisy(options, kEverything);
+  noisy.upload();
+  noisy.run();
+  const auto clean = noisy.outputs();
+  spoil(noisy.inputs.material.glossyRadiance, 5, 4);
+  noisy.upload();
+  noisy.run();
+  const auto dirty = noisy.outputs();
+  CHECK(sameBits(planesOf(clean.irradiance, 0, 3), planesOf(dirty.irradiance, 0, 3)));
+  CHECK(sameBits(planesOf(clean.moments, 0, 2), planesOf(dirty.moments, 0, 2)));
+  CHECK(sameBits(planesOf(clean.historyLength, 0, 1), planesOf(dirty.historyLength, 0, 1)));
+  CHECK(sameBits(planesOf(clean.guides, 0, 7), planesOf(dirty.guides, 0, 7)));
+  CHECK_FALSE(sameBits(planesOf(clean.historyLength, 1, 1), planesOf(dirty.historyLength, 1, 1)));
 }
 
 TEST_CASE("accumulate_noisy without history is the plain sample") {
@@ -105,10 +182,10 @@ TEST_CASE("accumulate_noisy of a still camera lands on pixel centres") {
 TEST_CASE("accumulate_noisy averages static frames until the weight hits the floor") {
   CaseOptions options;
   options.size = {33, 31};
-  AccumulateNoisyCase noisy(options, kPlain);
+  AccumulateNoisyCase noisy(options, kPlainWithMoments);
   const int framesToFloor = int(1.0 / noisy.inputs.leastWeight);
   const int x = 10, y = 25;  // on a surface
-  double expected = 0.0, mean = 0.0;
+  double expected = 0.0, mean = 0.0, first = 0.0, second = 0.0;
   for (int frame = 1; frame <= framesToFloor + 4; ++frame) {
     standStill(noisy, float(frame - 1));
     if (frame == 1) noisy.useReprojection(makeReprojection({}, {}, options.size, false));
@@ -119,12 +196,18 @@ TEST_CASE("accumulate_noisy averages static frames until the weight hits the flo
     noisy.run();
     const auto outputs = noisy.outputs();
     noisy.inputs.irradiancePrev = outputs.irradiance;
+    noisy.inputs.momentsPrev = outputs.moments;
     mean += (sample - mean) / frame;
+    const double momentsWeight = std::max(1.0 / frame, noisy.inputs.momentsLeastWeight);
+    first += (sample - first) * momentsWeight;
+    second += (sample * sample - second) * momentsWeight;
     expected = frame <= framesToFloor ? mean : expected + noisy.inputs.leastWeight * (sample - expected);
     INFO("frame " << frame);
     REQUIRE(isSurface(outputs.guides, x, y));
     CHECK(outputs.historyLength.at(0, x, y) == float(frame));
     CHECK(outputs.irradiance.at(0, x, y) == Approx(expected).epsilon(1e-5));
+    CHECK(outputs.moments.at(QUELL_MOMENT_FIRST, x, y) == Approx(first).epsilon(1e-5));
+    CHECK(outputs.moments.at(QUELL_MOMENT_SECOND, x, y) == Approx(second).epsilon(1e-5));
   }
 }
 
@@ -222,25 +305,27 @@ TEST_CASE("accumulate_noisy takes materials that fade to black") {
 
 TEST_CASE("accumulate_noisy gives finite values for any input, and bad pixels do not leak") {
   for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
-    AccumulateNoisyCase noisy(options);
-    noisy.upload();
-    noisy.run();
-    const auto clean = noisy.outputs();
-    BasicPlanes<char> spoiled(options.size, 1);
-    auto& inputs = noisy.inputs;
-    auto& material = inputs.material;
-    unsigned seed = 7;
-    for (io::Image* image : {&material.radiance, &material.emission, &material.albedo, &material.glossColor,
-                             &inputs.normal, &inputs.position})
-      spoil(*image, seed++, 16, &spoiled);
-    checkAgreement(noisy, options);
-    const auto dirty = noisy.outputs();
-    for (std::size_t i = 0; i < allOutputs(clean).size(); ++i) {
-      CHECK(allFinite(*allOutputs(dirty)[i]));
-      CHECK(sameBits(*allOutputs(clean)[i], *allOutputs(dirty)[i], &spoiled));
+    for (const AccumulateNoisyVariant& variant : {AccumulateNoisyVariant(), kEverything}) {
+      CaseOptions options;
+      options.size = {61, 40};
+      options.mapping = mapping;
+      AccumulateNoisyCase noisy(options, variant);
+      noisy.upload();
+      noisy.run();
+      const auto clean = noisy.outputs();
+      BasicPlanes<char> spoiled(options.size, 1);
+      auto& inputs = noisy.inputs;
+      auto& material = inputs.material;
+      unsigned seed = 7;
+      for (io::Image* image : {&material.radiance, &material.emission, &material.albedo, &material.glossColor,
+                               &inputs.normal, &inputs.position, &material.glossyRadiance, &inputs.roughness})
+        if (!image->empty()) spoil(*image, seed++, 16, &spoiled);
+      checkAgreement(noisy, options);
+      const auto dirty = noisy.outputs();
+      for (std::size_t i = 0; i < allOutputs(clean).size(); ++i) {
+        CHECK(allFinite(*allOutputs(dirty)[i]));
+        CHECK(sameBits(*allOutputs(clean)[i], *allOutputs(dirty)[i], &spoiled));
+      }
     }
   }
 }

@@ -1,6 +1,7 @@
 // Planes of an image in host memory, without margins: what stages keep between them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <quell/image_view.hpp>
 #include <vector>
@@ -32,6 +33,15 @@ struct BasicPlanes {
 
 using Planes = BasicPlanes<float>;        ///< as the device holds them; bytes are converted
 using ExactPlanes = BasicPlanes<double>;  ///< as the oracles compute them
+
+/// `count` of the planes, from `first` on.
+template <class Value>
+BasicPlanes<Value> planesOf(const BasicPlanes<Value>& planes, int first, int count) {
+  BasicPlanes<Value> part(planes.size(), count);
+  const auto start = planes.values.begin() + static_cast<std::ptrdiff_t>(planes.index(first, 0, 0));
+  std::copy(start, start + static_cast<std::ptrdiff_t>(part.values.size()), part.values.begin());
+  return part;
+}
 
 /// Calls work(x, y) for every pixel.
 template <class Work>

@@ -1,11 +1,13 @@
 // What the tests of all stages have in common.
 #pragma once
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
 #include <memory>
 #include <vector>
 
+#include "kernels/common/guides.h"
 #include "tests/cases/stage_case.hpp"
 
 namespace quell::tests {
@@ -46,6 +48,23 @@ inline void checkAgreement(StageCase& stageCase, const CaseOptions& options) {
   CHECK(comparison.largestError() <= stageCase.tolerance());
   const double pixels = double(options.size.width) * double(options.size.height);
   CHECK(double(comparison.excluded()) <= 2.0 + kExcludedShare * pixels);
+}
+
+/// The guides of a run with this signal alone.
+inline Planes guidesOfSignal(const Planes& both, int signal) {
+  Planes guides = planesOf(both, 0, QUELL_GUIDE_PLANES);
+  forEachPixel(both.size(), [&](int x, int y) {
+    guides.at(QUELL_GUIDE_WEIGHT, x, y) = both.at(QUELL_GUIDE_WEIGHT + signal, x, y);
+  });
+  return guides;
+}
+
+/// Compares the planes from `first` on with those of a run with one signal.
+inline void compareSignal(Comparison& comparison, const char* name, const Planes& both, int first,
+                          const Planes& alone) {
+  ExactPlanes expected(alone.size(), alone.count);
+  std::copy(alone.values.begin(), alone.values.end(), expected.values.begin());
+  comparePixels(comparison, name, planesOf(both, first, alone.count), expected);
 }
 
 using CaseMaker = std::function<std::unique_ptr<StageCase>(const CaseOptions&)>;

@@ -133,7 +133,9 @@ StageHarness::StageHarness(const std::string& stem, const StageSetup& setup)
   m_frame = m_configuration.frame;
 
   m_schedule = findMethod(setup.settings.method()).makeSchedule(m_configuration);
-  while (m_row < m_schedule.stages.size() && m_schedule.stages[m_row].stage->name() != stem) ++m_row;
+  int skip = setup.occurrence;
+  const auto isWanted = [&](const StageRow& row) { return row.stage->name() == stem && skip-- == 0; };
+  while (m_row < m_schedule.stages.size() && !isWanted(m_schedule.stages[m_row])) ++m_row;
   if (m_row == m_schedule.stages.size()) throw std::logic_error("this setup's schedule has no stage " + stem);
   m_schedule.stages[m_row].stage->build(
       KernelBuilder(device.context, device.device, device.cache, m_configuration));

@@ -34,6 +34,7 @@ struct StageSetup {
   Settings settings;
   Frame frame;
   Output output;
+  int occurrence = 0;  ///< which of the stages of this name, from 0
 };
 
 /// One line of the method's table with buffers of its own: the stage can touch no other. Margins hold finite
@@ -59,6 +60,8 @@ class StageHarness {
 
   Size size() const { return m_configuration.size(); }
   const Configuration& configuration() const { return m_configuration; }
+  /// The line of the table.
+  const StageRow& row() const { return m_schedule.stages[m_row]; }
   /// Bytes that the stage must read and write per frame, each counted once.
   std::uint64_t bytesMoved() const;
 

@@ -56,7 +56,7 @@ void storeHit(SceneView& view, const Axes& axes, int x, int y, const Hit& hit) {
     view.guides.at(QUELL_GUIDE_POSITION + axis, x, y) = float(hit.relative[axis]);
     view.guides.at(QUELL_GUIDE_NORMAL + axis, x, y) = float(hit.normal[axis]);
   }
-  view.guides.at(QUELL_GUIDE_WEIGHT, x, y) = 1.0f;
+  for (int plane = QUELL_GUIDE_WEIGHT; plane < view.guides.count; ++plane) view.guides.at(plane, x, y) = 1.0f;
 }
 
 }  // namespace
@@ -95,10 +95,10 @@ ReprojectionParams makeReprojection(const TestCamera& now, const TestCamera& bef
   return makeReprojectionParams(makeCamera(now, before, size), size, limits, historyValid);
 }
 
-SceneView renderScene(const TestCamera& camera, Size size) {
+SceneView renderScene(const TestCamera& camera, Size size, int signals) {
   const Axes axes = axesOf(camera);
   SceneView view{io::Image(size.width, size.height, 3), io::Image(size.width, size.height, 1),
-                 io::Image(size.width, size.height, 3), Planes(size, QUELL_GUIDE_PLANES)};
+                 io::Image(size.width, size.height, 3), Planes(size, QUELL_GUIDE_WEIGHT + signals)};
   forEachPixel(size, [&](int x, int y) {
     const double right = (2.0 * x + 1.0 - size.width) / size.height / kFocalLength;
     const double up = (size.height - 2.0 * y - 1.0) / size.height / kFocalLength;

@@ -34,8 +34,8 @@ struct SceneView {
   io::Image positionWorld;  ///< 3 channels
   io::Image viewDepth;      ///< 1 channel
   io::Image normalWorld;    ///< 3 channels
-  Planes guides;            ///< as accumulate_noisy keeps them; weight 1, 0 on the sky
+  Planes guides;            ///< as accumulate_noisy keeps them; weights 1, 0 on the sky
 };
-SceneView renderScene(const TestCamera& camera, Size size);
+SceneView renderScene(const TestCamera& camera, Size size, int signals = 1);
 
 }  // namespace quell::tests

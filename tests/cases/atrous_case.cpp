@@ -1,0 +1,50 @@
+#include "tests/cases/atrous_case.hpp"
+
+#include "tests/support/random_images.hpp"
+
+namespace quell::tests {
+namespace {
+
+constexpr int kIterations = 5;
+
+StageSetup makeAtrousSetup(const CaseOptions& options, const AtrousVariant& variant) {
+  StageSetup setup = makeSetup(options);
+  setFilterMethod(setup, variant.variance ? "svgf" : "atrous", variant.images);
+  setup.settings.set("iterations", kIterations);
+  setup.occurrence = variant.iteration - 1;
+  return setup;
+}
+
+}  // namespace
+
+AtrousCase::AtrousCase(const CaseOptions& options, const AtrousVariant& variant)
+    : StageCase("atrous", makeAtrousSetup(options, variant)) {
+  const Settings& settings = m_harness.configuration().settings;
+  const int signals = variant.images.signals;
+  inputs.guides = randomGuides(variant.images, options.size, options.seed);
+  inputs.irradiance = randomPlanes(options.size, 3 * signals, options.seed + 10, 0.0, 8.0);
+  if (variant.variance) inputs.variance = randomPlanes(options.size, signals, options.seed + 11, 0.0, 4.0);
+  inputs.stops = edgeStopsOf(settings);
+  inputs.step = 1 << (variant.iteration - 1);
+  // Without variance the tolerated difference shrinks with the noise that is left.
+  inputs.luminanceSigma = settings.get("luminanceSigma") / (variant.variance ? 1 : inputs.step);
+}
+
+void AtrousCase::upload() {
+  uploadGuides(m_harness, inputs.guides);
+  m_harness.upload(m_harness.row().reads[0], inputs.irradiance);
+  if (inputs.variance.count > 0) m_harness.upload(m_harness.row().reads[1], inputs.variance);
+}
+
+Comparison AtrousCase::compare() {
+  Comparison comparison;
+  const AtrousExact exact = atrousOracle(inputs);
+  for (const char undecided : exact.undecided.values)
+    if (undecided) comparison.exclude();
+  comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided);
+  if (inputs.variance.count > 0)
+    comparePixels(comparison, "variance", variance(), exact.variance, &exact.undecided);
+  return comparison;
+}
+
+}  // namespace quell::tests

@@ -1,0 +1,34 @@
+// Case of the stage atrous.
+#pragma once
+
+#include "tests/cases/filter_inputs.hpp"
+#include "tests/oracle/atrous_oracle.hpp"
+
+namespace quell::tests {
+
+/// Relative to the largest component of the pixel. Weights are off by the 1e-5 of the polynomial in place of e^-x, by
+/// the rounding of a cosine, 2e-7, times the normals' power of 100, and by that of penalties up to 20; the weighted
+/// mean of them by about as much (5e-6 measured).
+constexpr double kAtrousTolerance = 2e-5;
+
+struct AtrousVariant {
+  FilterVariant images;
+  bool variance = true;  ///< iterations of svgf, else of the method atrous
+  int iteration = 1;     ///< from 1
+};
+
+/// Noise over the scene of filter_inputs.hpp.
+class AtrousCase : public StageCase {
+ public:
+  explicit AtrousCase(const CaseOptions& options, const AtrousVariant& variant = {});
+
+  AtrousInputs inputs;
+
+  void upload() override;
+  Comparison compare() override;
+  double tolerance() const override { return kAtrousTolerance; }
+  Planes irradiance() const { return m_harness.download(m_harness.row().writes[0]); }
+  Planes variance() const { return m_harness.download(m_harness.row().writes[1]); }
+};
+
+}  // namespace quell::tests

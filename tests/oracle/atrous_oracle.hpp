@@ -1,0 +1,28 @@
+// Double-precision oracle of the stage atrous (Dammertz et al. 2010; Schied et al. 2017), see kernels/atrous.cl.
+#pragma once
+
+#include "kernels/atrous_params.h"
+#include "tests/oracle/edge_stops_oracle.hpp"
+
+namespace quell::tests {
+
+struct AtrousInputs {
+  Planes irradiance;  ///< 3 planes a signal
+  Planes variance;    ///< 1 plane a signal; empty: none
+  FilterGuides guides;
+  EdgeStopParams stops{};
+  double luminanceSigma = 4.0;
+  int step = 1;
+
+  int signals() const { return irradiance.count / 3; }
+};
+
+struct AtrousExact {
+  ExactPlanes irradiance;
+  ExactPlanes variance;
+  BasicPlanes<char> undecided;  ///< nothing but taps at the largest penalty: float and double may disagree
+};
+
+AtrousExact atrousOracle(const AtrousInputs& inputs);
+
+}  // namespace quell::tests

@@ -1,0 +1,65 @@
+#include "tests/oracle/variance_oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/common/guides.h"
+
+namespace quell::tests {
+namespace {
+
+struct Moments {
+  double first = 0.0;
+  double second = 0.0;
+};
+
+Moments momentsAt(const VarianceInputs& inputs, int signal, int x, int y) {
+  const int plane = QUELL_MOMENT_PLANES * signal;
+  return {inputs.moments.at(plane + QUELL_MOMENT_FIRST, x, y),
+          inputs.moments.at(plane + QUELL_MOMENT_SECOND, x, y)};
+}
+
+// Bilateral mean of the moments over 7x7 pixels, as far as they lie in the image.
+Moments spatialMoments(const VarianceInputs& inputs, int signal, int x, int y) {
+  const EdgeStopsOracle stops(inputs.guides, inputs.stops, x, y);
+  const Size size = inputs.moments.size();
+  Moments sum;
+  double weights = 0.0;
+  for (int row = std::max(0, y - 3); row <= std::min(size.height - 1, y + 3); ++row) {
+    for (int column = std::max(0, x - 3); column <= std::min(size.width - 1, x + 3); ++column) {
+      const bool centre = row == y && column == x;
+      const double distance = std::hypot(column - x, row - y);
+      const double bilateral = weightOfPenalty(stops.surfacePenalty(column, row, centre ? 1.0 : distance));
+      const double weight = bilateral * inputs.guides.guides.at(QUELL_GUIDE_WEIGHT + signal, column, row);
+      const Moments tap = momentsAt(inputs, signal, column, row);
+      sum.first += weight * tap.first;
+      sum.second += weight * tap.second;
+      weights += weight;
+    }
+  }
+  if (weights == 0.0) return {};
+  return {sum.first / weights, sum.second / weights};
+}
+
+}  // namespace
+
+VarianceExact varianceOracle(const VarianceInputs& inputs) {
+  const Size size = inputs.moments.size();
+  const int signals = inputs.historyLength.count;
+  VarianceExact exact{ExactPlanes(size, signals), ExactPlanes(size, signals)};
+  for (int signal = 0; signal < signals; ++signal) {
+    forEachPixel(size, [&](int x, int y) {
+      const double length = inputs.historyLength.at(signal, x, y);
+      const bool hasSample = inputs.guides.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) > 0.0f;
+      const bool spatial = length < inputs.temporalFrames && hasSample;
+      const Moments moments =
+          spatial ? spatialMoments(inputs, signal, x, y) : momentsAt(inputs, signal, x, y);
+      const double raise = spatial ? inputs.temporalFrames / std::max(length, 1.0) : 1.0;
+      exact.variance.at(signal, x, y) = raise * std::max(moments.second - moments.first * moments.first, 0.0);
+      exact.magnitude.at(signal, x, y) = raise * std::max(moments.second, moments.first * moments.first);
+    });
+  }
+  return exact;
+}
+
+}  // namespace quell::tests

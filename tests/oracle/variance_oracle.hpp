@@ -1,0 +1,24 @@
+// Double-precision oracle of the stage variance (Schied et al. 2017, section 4.2), see kernels/variance.cl.
+#pragma once
+
+#include "kernels/variance_params.h"
+#include "tests/oracle/edge_stops_oracle.hpp"
+
+namespace quell::tests {
+
+struct VarianceInputs {
+  Planes moments;        ///< 2 planes a signal
+  Planes historyLength;  ///< 1 plane a signal
+  FilterGuides guides;
+  EdgeStopParams stops{};
+  int temporalFrames = 4;
+};
+
+struct VarianceExact {
+  ExactPlanes variance;   ///< 1 plane a signal
+  ExactPlanes magnitude;  ///< of the second moment: what rounding errors are relative to; 1 plane a signal
+};
+
+VarianceExact varianceOracle(const VarianceInputs& inputs);
+
+}  // namespace quell::tests
