@@ -7,7 +7,6 @@
 namespace quell::tests {
 namespace {
 
-constexpr float kMostRadiance = 65504.0f;
 constexpr int kWidth = 97, kHeight = 61;
 
 // Patches of two roughnesses.
