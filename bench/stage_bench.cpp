@@ -6,13 +6,16 @@
 
 #include "tests/cases/accumulate_filtered_case.hpp"
 #include "tests/cases/accumulate_noisy_case.hpp"
+#include "tests/cases/atrous_case.hpp"
 #include "tests/cases/blended_sum_case.hpp"
+#include "tests/cases/demodulate_case.hpp"
 #include "tests/cases/fit_case.hpp"
 #include "tests/cases/gram_solve_case.hpp"
 #include "tests/cases/gram_sums_case.hpp"
 #include "tests/cases/remodulate_case.hpp"
 #include "tests/cases/temporal_antialiasing_case.hpp"
 #include "tests/cases/tone_map_case.hpp"
+#include "tests/cases/variance_case.hpp"
 #include "tests/cases/weighted_sum_case.hpp"
 
 namespace quell::bench {
@@ -43,7 +46,16 @@ void addImageStages(std::vector<StageEntry>& entries, const std::string& variant
   using tests::kFullMaterial;
   const tests::AccumulateNoisyVariant full{kFullMaterial, false};
   entries.push_back(entry<tests::AccumulateNoisyCase>("accumulate_noisy." + variant, mapping, layout, full));
+  const tests::AccumulateNoisyVariant guided{kFullMaterial, false, true, false};
+  const tests::AccumulateNoisyVariant twoSignals{tests::kTwoSignals, false, true, true};
+  entries.push_back(
+      entry<tests::AccumulateNoisyCase>("accumulate_noisy.moments_" + variant, mapping, layout, guided));
+  entries.push_back(entry<tests::AccumulateNoisyCase>("accumulate_noisy.two_signals_" + variant, mapping,
+                                                      layout, twoSignals));
+  entries.push_back(entry<tests::DemodulateCase>("demodulate." + variant, mapping, layout));
   entries.push_back(entry<tests::RemodulateCase>("remodulate." + variant, mapping, layout, kFullMaterial));
+  entries.push_back(
+      entry<tests::RemodulateCase>("remodulate.two_signals_" + variant, mapping, layout, tests::kTwoSignals));
   entries.push_back(entry<tests::ToneMapCase>("tone_map.last_" + variant, mapping, layout, true));
   entries.push_back(
       entry<tests::TemporalAntialiasingCase>("temporal_antialiasing." + variant, mapping, layout));
@@ -56,6 +68,23 @@ void addPlaneStages(std::vector<StageEntry>& entries, const std::string& variant
   entries.push_back(entry<tests::WeightedSumCase>("weighted_sum." + variant, mapping, layout));
   entries.push_back(entry<tests::AccumulateFilteredCase>("accumulate_filtered." + variant, mapping, layout));
   entries.push_back(entry<tests::ToneMapCase>("tone_map." + variant, mapping, layout));
+}
+
+// Stages of the wavelet filters: the first and the last iteration of five, without and with all that there is.
+void addWaveletStages(std::vector<StageEntry>& entries, const std::string& variant, Mapping mapping) {
+  const ImageLayout layout = tests::packed(3);
+  for (const int signals : {1, 2}) {
+    const std::string name = variant + (signals == 2 ? "_two_signals" : "");
+    entries.push_back(entry<tests::VarianceCase>("variance." + name, mapping, layout, signals));
+    for (const int iteration : {1, 5}) {
+      const tests::AtrousVariant guided{{signals, signals == 2}, true, iteration};
+      entries.push_back(entry<tests::AtrousCase>(
+          "atrous." + name + "_step" + std::to_string(1 << (iteration - 1)), mapping, layout, guided));
+    }
+  }
+  const tests::AtrousVariant plain{{1, false}, false, 1};
+  entries.push_back(
+      entry<tests::AtrousCase>("atrous." + variant + "_without_variance", mapping, layout, plain));
 }
 
 // Stages of a fit from sums over tiles.
@@ -88,6 +117,7 @@ std::vector<StageEntry> stageEntries() {
     addImageStages(entries, std::string(name) + "_float3", mapping, tests::packed(3));
     addImageStages(entries, std::string(name) + "_half4", mapping, tests::packedHalf(4));
     addPlaneStages(entries, name, mapping);
+    addWaveletStages(entries, name, mapping);
     addGramStages(entries, name, mapping);
     entries.push_back(entry<tests::FitCase>("fit." + std::string(name) + "_half", mapping, tests::packed(3),
                                             FeatureStorage::Half));

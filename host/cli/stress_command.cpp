@@ -11,6 +11,7 @@
 
 #include "host/cli/command_arguments.hpp"
 #include "host/cli/commands.hpp"
+#include "host/stress/frame_suite.hpp"
 #include "host/stress/stress_suite.hpp"
 
 namespace quell::cli {
@@ -55,17 +56,16 @@ void printLegend() {
       stress::kMostExcessResidual, stress::kMostOutsideRange);
 }
 
-std::vector<stress::Family> pickFamilies(const std::string& part) {
-  std::vector<stress::Family> picked;
-  for (const stress::Family& family : stress::families())
+template <class Family>
+std::vector<Family> pickFamilies(const std::vector<Family>& all, const std::string& part) {
+  std::vector<Family> picked;
+  for (const Family& family : all)
     if (family.name.find(part) != std::string::npos) picked.push_back(family);
-  if (picked.empty()) refuse(kCommand, "--family", "part of the name of a family", part);
   return picked;
 }
 
-/// Throws the exit code 1 if gram breaks a bound.
-void runStress(const StressOptions& options) {
-  const std::vector<stress::Family> picked = pickFamilies(options.family);
+/// How many families gram breaks a bound of.
+int runBlockFamilies(const StressOptions& options, const std::vector<stress::Family>& picked) {
   stress::FitterOptions fitterOptions;
   fitterOptions.device = options.device.device;
   fitterOptions.options = makeOptions(options.device, TimerMode::Off);
@@ -88,6 +88,55 @@ void runStress(const StressOptions& options) {
   fmt::print("{} blocks in {:.1f} s, {:.2f} s per 1000; gram breaks its bounds in {} of {} families\n",
              blocks, wall.count(), 1000.0 * wall.count() / static_cast<double>(blocks), broken,
              picked.size());
+  return broken;
+}
+
+constexpr char kFrameRowFormat[] = "{:<25} {:<7} {:<7} {:>10} {:>14} {:>11} {:>11}  {}\n";
+
+void printFrameRow(const stress::FrameFamily& family, const std::string& method,
+                   const stress::FrameFigures& figures) {
+  const auto share = [](double value) { return fmt::format("{:.2e}", value); };
+  fmt::print(kFrameRowFormat, family.name, family.trace == stress::Trace::Gone ? "gone" : "fading", method,
+             figures.nonFinite, share(figures.outsideRange), share(figures.peak), share(figures.left),
+             stress::withinBounds(figures, family) ? "kept" : "BROKEN");
+  std::fflush(stdout);
+}
+
+/// How many times a method breaks a bound of a family.
+int runFrameFamilies(const StressOptions& options, const std::vector<stress::FrameFamily>& picked) {
+  fmt::print("\n");
+  fmt::print(kFrameRowFormat, "", "", "", "non-finite", "worst outside", "worst", "left at", "");
+  fmt::print(kFrameRowFormat, "family", "class", "method", "frames", "the range", "difference", "the end",
+             "bound");
+  stress::FrameSuite suite(options.device.device, makeOptions(options.device, TimerMode::Off));
+  int broken = 0;
+  for (const stress::FrameFamily& family : picked) {
+    const stress::FrameRuns runs = stress::makeFrameRuns(family, options.seed);
+    for (const std::string& method : stress::frameMethods()) {
+      const stress::FrameFigures figures = suite.run(family, runs, method);
+      printFrameRow(family, method, figures);
+      broken += stress::withinBounds(figures, family) ? 0 : 1;
+    }
+  }
+  fmt::print(
+      "\n{} frames a run, the fault in {} of them. Distance from the range of the clean frame, away from the "
+      "fault: per range, at most {}.\nDifference from the clean run: mean, per mean of the picture; at the "
+      "end at most "
+      "{} (gone), or at most {} of its largest value (fading).\n",
+      stress::kFramesInAll, stress::kFramesWithFault, stress::kMostOutsideFrameRange,
+      stress::kMostLeftOfFault, stress::kMostLeftOfPeak);
+  return broken;
+}
+
+/// Throws the exit code 1 if gram or a method breaks a bound.
+void runStress(const StressOptions& options) {
+  const auto blocks = pickFamilies(stress::families(), options.family);
+  const auto frames = pickFamilies(stress::frameFamilies(), options.family);
+  if (blocks.empty() && frames.empty())
+    refuse(kCommand, "--family", "part of the name of a family", options.family);
+  int broken = 0;
+  if (!blocks.empty()) broken += runBlockFamilies(options, blocks);
+  if (!frames.empty()) broken += runFrameFamilies(options, frames);
   if (broken > 0) throw CLI::RuntimeError(1);
 }
 
@@ -95,8 +144,10 @@ void runStress(const StressOptions& options) {
 
 void addStressCommand(CLI::App& app) {
   auto options = std::make_shared<StressOptions>();
-  CLI::App* command = app.add_subcommand(
-      kCommand, "Compare the fits with double precision on random blocks; fails if gram breaks a bound");
+  CLI::App* command = app.add_subcommand(kCommand,
+                                         "Compare the fits with double precision on random blocks, and run "
+                                         "all methods over frames with faults; fails if a "
+                                         "bound is broken");
   command->add_option("--blocks", options->blocks, "Blocks of each family")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -15,19 +15,7 @@ StageSetup makeAccumulateNoisySetup(const CaseOptions& options, const Accumulate
     setup.settings = Settings("svgf");
     setup.settings.set("momentsLeastWeight", 0.15);  // told apart from the weight of the irradiance
   }
-  setMaterialViews(setup, variant.material, options.layout);
-  ImageLayout guide = options.layout;
-  guide.channels = std::max(3, guide.channels);
-  setup.frame.normalWorld = makeView(guide, options.size);
-  guide.format = ComponentFormat::Float32;
-  if (variant.viewDepth) {
-    guide.channels = 1;
-    setup.frame.viewDepth = makeView(guide, options.size);
-  } else {
-    setup.frame.positionWorld = makeView(guide, options.size);
-  }
-  guide.channels = 1;
-  if (variant.roughness) setup.frame.roughness = makeView(guide, options.size);
+  setFrameViews(setup, variant.images(), options.layout);
   return setup;
 }
 
@@ -76,12 +64,7 @@ void comparePixelPrev(Comparison& comparison, const Planes& device, const ExactP
 
 AccumulateNoisyCase::AccumulateNoisyCase(const CaseOptions& options, const AccumulateNoisyVariant& variant)
     : StageCase("accumulate_noisy", makeAccumulateNoisySetup(options, variant)), m_variant(variant) {
-  const SceneView view = renderScene({}, options.size);
-  inputs.material = randomMaterial(variant.material, options.size, options.seed);
-  inputs.normal = view.normalWorld;
-  inputs.position = variant.viewDepth ? view.viewDepth : view.positionWorld;
-  inputs.positionIsDepth = variant.viewDepth;
-  if (variant.roughness) inputs.roughness = randomImage(options.size, 1, options.seed + 10, -0.1, 1.1);
+  static_cast<FrameImages&>(inputs) = randomFrame(variant.images(), options.size, options.seed);
   inputs.guidesPrev = renderScene(movedCamera(), options.size, inputs.material.signals()).guides;
   const Settings& settings = m_harness.configuration().settings;
   inputs.leastWeight = float(settings.get(variant.svgf() ? "irradianceLeastWeight" : "noisyLeastWeight"));
@@ -96,12 +79,7 @@ void AccumulateNoisyCase::useReprojection(const ReprojectionParams& reprojection
 }
 
 void AccumulateNoisyCase::upload() {
-  ImageView Frame::*const position = m_variant.viewDepth ? &Frame::viewDepth : &Frame::positionWorld;
-  uploadMaterial(m_harness, inputs.material);
-  m_harness.setInput(&Frame::normalWorld, inputs.normal);
-  m_harness.setInput(position, inputs.position);
-  inputs.normal = asStored(inputs.normal, m_harness.configuration().frame.normalWorld);
-  if (m_variant.roughness) m_harness.setInput(&Frame::roughness, inputs.roughness);
+  uploadFrame(m_harness, inputs);
   m_harness.upload(previousIrradiance(), inputs.irradiancePrev);
   m_harness.upload("historyLength.prev", inputs.historyLengthPrev);
   m_harness.upload("guides.prev", inputs.guidesPrev);

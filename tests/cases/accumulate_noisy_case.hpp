@@ -1,7 +1,7 @@
 // Case of the stage accumulate_noisy.
 #pragma once
 
-#include "tests/cases/material_inputs.hpp"
+#include "tests/cases/frame_inputs.hpp"
 #include "tests/oracle/accumulate_noisy_oracle.hpp"
 
 namespace quell::tests {
@@ -19,14 +19,14 @@ struct AccumulateNoisyVariant {
   bool filterGuides = false;
   bool roughness = false;  ///< whether the caller has it
 
+  FrameVariant images() const { return {material, viewDepth, roughness}; }
   bool svgf() const { return filterGuides || material.twoSignals; }
 };
 
 /// A moving camera before the test scene; the history is random.
 class AccumulateNoisyCase : public StageCase {
  public:
-  /// The caller's material images are in options.layout. Normals and positions have the same strides, but at
-  /// least three channels, and positions are always floats: halves cannot tell surfaces apart at this camera.
+  /// The caller's images are in options.layout as far as setFrameViews() can have it.
   explicit AccumulateNoisyCase(const CaseOptions& options, const AccumulateNoisyVariant& variant = {});
 
   AccumulateNoisyInputs inputs;

@@ -9,31 +9,18 @@
 namespace quell::tests {
 namespace {
 
-// Relative error of a handful of float operations.
-constexpr double kRounding = 1e-6;
+constexpr double kRounding = kSurfaceRounding;
 // Error of a reprojected position in float, pixels: 480 pixels times the rounding of a 4-term dot product.
 constexpr double kPixelRounding = 1e-3;
 // Error of a history length up to 255 that was interpolated in float.
 constexpr double kLengthRounding = 2e-4;
-
-struct Surface {
-  Vector3d position = Vector3d::Zero();
-  Vector3d normal = Vector3d::Zero();
-  bool valid = false;
-};
 
 struct Place {
   Vector3d pixel = Vector3d::Zero();  // x, y; 0 if not inside
   bool inside = false;
 };
 
-Vector3d linearPart(const QuellFloat4& row) { return {row.x, row.y, row.z}; }
-
 bool near(double value, double threshold, double rounding) { return std::abs(value - threshold) <= rounding; }
-
-Vector3d viewRay(const ReprojectionParams& params, int x, int y) {
-  return linearPart(params.rayOrigin) + x * linearPart(params.rayX) + y * linearPart(params.rayY);
-}
 
 Vector3d planeVector(const Planes& planes, int first, int x, int y) {
   return {planes.at(first, x, y), planes.at(first + 1, x, y), planes.at(first + 2, x, y)};
@@ -47,20 +34,7 @@ class PixelOracle {
 
   bool undecided = false;
 
-  Surface surface() {
-    Surface s;
-    const Vector3d position = rgbAt(m_inputs.position, m_x, m_y);
-    s.normal = rgbAt(m_inputs.normal, m_x, m_y);
-    s.position = m_inputs.positionIsDepth
-                     ? Vector3d(position.x() * viewRay(m_params, m_x, m_y))
-                     : Vector3d(position - linearPart(m_params.cameraHigh) - linearPart(m_params.cameraLow));
-    const double length = s.normal.squaredNorm();
-    doubt(length, QUELL_MIN_NORMAL_SQUARED, kRounding);
-    doubt(length, QUELL_MAX_NORMAL_SQUARED, kRounding);
-    s.valid = s.position.allFinite() && s.position.cwiseAbs().maxCoeff() < QUELL_MAX_POSITION &&
-              length >= QUELL_MIN_NORMAL_SQUARED && length <= QUELL_MAX_NORMAL_SQUARED;
-    return s.valid ? s : Surface();
-  }
+  Surface surface() { return surfaceAt(m_inputs, m_x, m_y, undecided); }
 
   // Background is a point at infinity.
   Place reproject(const Surface& s) {
@@ -170,11 +144,8 @@ void storeSurface(AccumulateNoisyOutputs<double>& outputs, int x, int y, const S
     outputs.guides.at(QUELL_GUIDE_POSITION + axis, x, y) = surface.position[axis];
     outputs.guides.at(QUELL_GUIDE_NORMAL + axis, x, y) = surface.normal[axis];
   }
-  const QuellFloat4& axis = inputs.reprojection.viewDepth;
-  outputs.viewDepth.at(0, x, y) = linearPart(axis).dot(surface.position) + axis.w;
-  if (inputs.roughness.empty()) return;
-  const double roughness = inputs.roughness.at(x, y, 0);
-  outputs.roughness.at(0, x, y) = std::isfinite(roughness) ? std::clamp(roughness, 0.0, 1.0) : 1.0;
+  outputs.viewDepth.at(0, x, y) = viewDepthOf(inputs, surface);
+  if (!inputs.roughness.empty()) outputs.roughness.at(0, x, y) = roughnessAt(inputs, x, y);
 }
 
 AccumulateNoisyExact emptyOutputs(Size size, int signals) {

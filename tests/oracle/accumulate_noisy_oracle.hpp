@@ -3,22 +3,16 @@
 #pragma once
 
 #include "kernels/accumulate_noisy_params.h"
-#include "tests/oracle/demodulation_oracle.hpp"
+#include "tests/oracle/surface_oracle.hpp"
 #include "tests/support/planes.hpp"
 
 namespace quell::tests {
 
-struct AccumulateNoisyInputs {
-  MaterialImages material;
-  io::Image normal;
-  io::Image position;  ///< world positions, or view depth
-  bool positionIsDepth = false;
-  io::Image roughness;       ///< empty: absent
+struct AccumulateNoisyInputs : FrameImages {
   Planes irradiancePrev;     ///< 3 planes a signal
   Planes historyLengthPrev;  ///< 1 plane a signal
   Planes guidesPrev;         ///< 7 planes, with two signals 8
   Planes momentsPrev;        ///< 2 planes a signal; used only where moments are asked for
-  ReprojectionParams reprojection{};
   double leastWeight = 0.2;
   double momentsLeastWeight = 0.0;  ///< 0: no moments
 };

@@ -14,9 +14,9 @@ namespace {
 
 const std::string kMethods[] = {"svgf", "atrous"};
 // Errors on data/colonnade, frame 15, measured on PoCL 3.1.
-constexpr double kSvgfUnbiasedRmse = 0.0776;
-constexpr double kSvgfSsim = 0.774;
-constexpr double kAtrousUnbiasedRmse = 0.1151;
+constexpr double kSvgfUnbiasedRmse = 0.0673;
+constexpr double kSvgfSsim = 0.823;
+constexpr double kAtrousUnbiasedRmse = 0.0933;
 
 std::unique_ptr<io::FrameSequence> colonnade() {
   return io::openSequence(std::string(QUELL_DATA_DIR) + "/colonnade");
@@ -105,7 +105,7 @@ TEST_CASE("svgf and atrous denoise the sequence in data/ to their known errors",
     settings.usePreset("paper");
     return errorsOf(settings);
   }();
-  WARN("unbiased RMSE: noisy " << *noisy.unbiasedRmse << ", accumulated " << *accumulated.unbiasedRmse
+  INFO("unbiased RMSE: noisy " << *noisy.unbiasedRmse << ", accumulated " << *accumulated.unbiasedRmse
                                << ", atrous " << *atrous.unbiasedRmse << ", svgf " << *svgf.unbiasedRmse
                                << ", preset paper " << *paper.unbiasedRmse << "; SSIM of svgf " << svgf.ssim);
   // With 5 % of slack for other devices.
@@ -159,7 +159,9 @@ TEST_CASE("two signals denoise to the sum of two runs with one", "[pipelines]") 
   const auto sequence = analyticSequence(97, 61, 4);
   for (const std::string& method : kMethods) {
     const auto last = [&](void (*edit)(io::FrameData&)) {
-      return denoiseSequence(*sequence, firstFrames(4), Settings(method), {}, edit).frames.back().linear;
+      // The stop at roughness is for the glossy signal, or for the only one.
+      const Settings settings = withSetting(method, "roughnessSigma", "0");
+      return denoiseSequence(*sequence, firstFrames(4), settings, {}, edit).frames.back().linear;
     };
     const io::Image both = last(addGloss);
     const io::Image glossy = last(keepGlossy);

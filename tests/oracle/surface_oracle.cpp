@@ -1,0 +1,41 @@
+#include "tests/oracle/surface_oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quell::tests {
+
+Vector3d linearPart(const QuellFloat4& row) { return {row.x, row.y, row.z}; }
+
+Vector3d viewRay(const ReprojectionParams& params, int x, int y) {
+  return linearPart(params.rayOrigin) + x * linearPart(params.rayX) + y * linearPart(params.rayY);
+}
+
+Surface surfaceAt(const FrameImages& frame, int x, int y, bool& undecided) {
+  const ReprojectionParams& params = frame.reprojection;
+  const Vector3d position = rgbAt(frame.position, x, y);
+  Surface surface;
+  surface.normal = rgbAt(frame.normal, x, y);
+  surface.position = frame.positionIsDepth
+                         ? Vector3d(position.x() * viewRay(params, x, y))
+                         : Vector3d(position - linearPart(params.cameraHigh) - linearPart(params.cameraLow));
+  const double length = surface.normal.squaredNorm();
+  for (const double limit : {QUELL_MIN_NORMAL_SQUARED, QUELL_MAX_NORMAL_SQUARED})
+    undecided = undecided || std::abs(length - limit) <= kSurfaceRounding;
+  surface.valid = surface.position.allFinite() &&
+                  surface.position.cwiseAbs().maxCoeff() < QUELL_MAX_POSITION &&
+                  length >= QUELL_MIN_NORMAL_SQUARED && length <= QUELL_MAX_NORMAL_SQUARED;
+  return surface.valid ? surface : Surface();
+}
+
+double viewDepthOf(const FrameImages& frame, const Surface& surface) {
+  const QuellFloat4& axis = frame.reprojection.viewDepth;
+  return linearPart(axis).dot(surface.position) + axis.w;
+}
+
+double roughnessAt(const FrameImages& frame, int x, int y) {
+  const double roughness = frame.roughness.at(x, y, 0);
+  return std::isfinite(roughness) ? std::clamp(roughness, 0.0, 1.0) : 1.0;
+}
+
+}  // namespace quell::tests
