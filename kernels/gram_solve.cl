@@ -16,6 +16,7 @@
 
 // Features without the constant one.
 #define VARIED (QUELL_FEATURES - 1)
+#define VARIED_ROOM (VARIED > 0 ? VARIED : 1)  // arrays must not be empty
 // Element of the lower triangle of the normal matrix for row >= column.
 #define LOWER(row, column) ((row) * ((row) + 1) / 2 + (column))
 
@@ -139,7 +140,7 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
   for (int k = 1; k < QUELL_GRAM_COLUMNS; ++k) mean[k] = sums[QUELL_GRAM_INDEX(0, k)] * inverseWeight;
 
   // Centred, regularised and normalised: the diagonal becomes 1, or the feature is dropped (0).
-  floatL inverseDeviation[VARIED];
+  floatL inverseDeviation[VARIED_ROOM];
   for (int j = 0; j < VARIED; ++j) {
     const floatL square = sums[QUELL_GRAM_INDEX(j + 1, j + 1)];
     const floatL variance = square - sums[QUELL_GRAM_INDEX(0, j + 1)] * mean[j + 1];
@@ -149,8 +150,8 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
     const floatL regularised = counted + weight * noiseVariance;
     inverseDeviation[j] = counted > 0.0f ? 1.0f / SQRT(counted > 0.0f ? regularised : ONE_LANES) : ZERO_LANES;
   }
-  floatL factor[LOWER(VARIED, 0)];
-  floatL right[VARIED][QUELL_FIT_CHANNELS];
+  floatL factor[LOWER(VARIED_ROOM, 0)];
+  floatL right[VARIED_ROOM][QUELL_FIT_CHANNELS];
   for (int i = 0; i < VARIED; ++i) {
     for (int j = 0; j < i; ++j) {
       const floatL covariance =
@@ -181,7 +182,7 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
   }
 
   for (int c = 0; c < QUELL_FIT_CHANNELS; ++c) {
-    floatL solution[VARIED];
+    floatL solution[VARIED_ROOM];
     for (int i = 0; i < VARIED; ++i) {
       floatL sum = right[i][c];
       for (int k = 0; k < i; ++k) sum -= factor[LOWER(i, k)] * solution[k];

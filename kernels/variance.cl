@@ -30,7 +30,7 @@ QUELL_INLINE MomentSums spatialMoments(__global const float* moments, __global c
     if (y + dy < 0 || y + dy >= planes.height) continue;
     for (int dx = -QUELL_VARIANCE_RADIUS; dx <= QUELL_VARIANCE_RADIUS; ++dx) {
       const int index = planeIndex(planes, x + dx, y + dy);
-      const float inverseDistance = dx == 0 && dy == 0 ? 0.0f : native_rsqrt((float)(dx * dx + dy * dy));
+      const float inverseDistance = dx == 0 && dy == 0 ? 0.0f : 1.0f / sqrt((float)(dx * dx + dy * dy));
       const intL column = x + dx + LANE_INDEX;
       const intL inside = column >= 0 && column < planes.width;
       const floatL penalty = surfacePenalty(centre, params.stops,

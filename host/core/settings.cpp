@@ -86,7 +86,8 @@ void Settings::set(const std::string& name, const std::string& text) {
   const std::size_t index = indexOf(name);
   const SettingDescription& setting = descriptions()[index];
   if (setting.kind == SettingKind::Text) {
-    findMethod(m_method).checkText(name, text);
+    const Method& method = findMethod(m_method);
+    if (method.checkText) method.checkText(name, text);
     m_values[index].text = text;
     return;
   }

@@ -18,9 +18,11 @@ SettingList settings() {
       1e6,
       "luminance",
       "difference in luminance at which a tap's weight falls to 1/e; halves with every iteration",
-      "Dammertz et al. 2010, section 3",
+      "Dammertz et al. 2010, section 3 (halving); sweep over four rendered sequences, docs/svgf-sweep.md",
       {}};
-  return joined({atrousSettings(luminanceSigma), demodulationSettings()});
+  SettingList edgeStops = atrousSettings(luminanceSigma);
+  for (SettingDescription& setting : edgeStops) setting.paper.reset();  // those are of another paper
+  return joined({edgeStops, demodulationSettings()});
 }
 
 Schedule makeSchedule(const Configuration& configuration) {

@@ -14,7 +14,7 @@ void BlendedSum::build(const KernelBuilder& builder) {
 
 void BlendedSum::enqueue(FrameRun& run) {
   GramParams params = makeGramParams(m_windows, run.configuration.size(), run.frameIndex, 0.0);
-  params.viewAxis = run.reprojection.clipW;
+  params.viewAxis = run.reprojection.viewDepth;
   const int itemWidth = std::min(run.configuration.device.lanes, m_windows.tileEdge);
   const int itemHeight = run.configuration.device.lanes / itemWidth;
   // One more cell than tiles per axis: cells lie between tile centres.

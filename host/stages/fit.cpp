@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <quell/error.hpp>
 
 namespace quell {
 namespace {
@@ -58,23 +59,29 @@ std::string signalOptions(int signal) { return "-D QUELL_SIGNAL=" + std::to_stri
 void Fit::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
   const auto lanes = static_cast<std::size_t>(configuration.device.lanes);
-  // 256 logical lanes are shared out, so lanes and work-items together must not exceed them.
+  // 256 logical lanes are shared out, so lanes and work-items together must not exceed them; the pivot of each of up to
+  // 16 features comes from a lane of its own, so they must not be fewer either.
+  const std::size_t least = std::max<std::size_t>(1, QUELL_MOST_FEATURES / lanes);
   m_groupSize = std::min(builder.groupSize(configuration.options.fitGroup, lanes > 1 ? 1 : kGpuGroup),
                          kGpuGroup / lanes);
+  m_groupSize = std::max(m_groupSize, least);
   for (;; m_groupSize /= 2) {
     m_kernel =
         builder.build("fit", m_features.options() + signalOptions(m_signal) +
                                  "-D FIT_GROUP_SIZE=" + std::to_string(m_groupSize) +
                                  " -D FIT_STORAGE_HALF=" + (m_storage == FeatureStorage::Half ? "1" : "0") +
                                  " -D FIT_UNROLL=" + (configuration.device.isCpu ? "0" : "1"));
-    if (m_groupSize == 1 || builder.maxWorkGroup(m_kernel) >= m_groupSize) break;
+    if (builder.maxWorkGroup(m_kernel) >= m_groupSize) break;
+    if (m_groupSize == least)
+      throw Error(ErrorCode::BuildFailed, {"fit", "work-group", std::to_string(least) + " work-items or more",
+                                           std::to_string(builder.maxWorkGroup(m_kernel))});
   }
 }
 
 void Fit::enqueue(FrameRun& run) {
   const Size size = run.configuration.size();
   FitParams params = makeFitParams(size, run.frameIndex, m_noiseAmplitude);
-  params.viewAxis = run.reprojection.clipW;
+  params.viewAxis = run.reprojection.viewDepth;
   const std::size_t items = static_cast<std::size_t>(blockCount(size)) * m_groupSize;
   run.launch(m_kernel, {items, 1}, cl::NDRange(m_groupSize, 1), run.buffer("irradiance"),
              run.buffer("guides"), materialsOf(run, m_features), run.buffer("fitRecords"),

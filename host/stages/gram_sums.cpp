@@ -17,6 +17,8 @@ void GramSums::build(const KernelBuilder& builder) {
   // With sixteen lanes a work-item has a tile to itself.
   m_groupSize =
       configuration.device.lanes > 1 ? 1 : builder.groupSize(configuration.options.fitGroup, kGpuGroup);
+  // One work-item alone would add up 1024 pixels in one chain, and lose digits.
+  if (configuration.device.lanes == 1) m_groupSize = std::max<std::size_t>(m_groupSize, 2);
   for (;; m_groupSize /= 2) {
     m_kernel =
         builder.build("gram_sums", m_features.gramOptions(m_windows.overlap) + signalOptions(m_signal) +
@@ -29,7 +31,7 @@ void GramSums::build(const KernelBuilder& builder) {
 
 void GramSums::enqueue(FrameRun& run) {
   GramParams params = makeGramParams(m_windows, run.configuration.size(), run.frameIndex, 0.0);
-  params.viewAxis = run.reprojection.clipW;
+  params.viewAxis = run.reprojection.viewDepth;
   const std::size_t tiles = static_cast<std::size_t>(params.tilesX) * static_cast<std::size_t>(params.tilesY);
   run.launch(m_kernel, {tiles * m_groupSize, 1}, cl::NDRange(m_groupSize, 1), run.buffer("irradiance"),
              run.buffer("guides"), materialsOf(run, m_features), run.buffer("gramTiles"), params);

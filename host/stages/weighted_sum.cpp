@@ -12,7 +12,7 @@ void WeightedSum::build(const KernelBuilder& builder) {
 void WeightedSum::enqueue(FrameRun& run) {
   // The amplitude only matters to the fit: the synthesis uses noise-free features.
   FitParams params = makeFitParams(run.configuration.size(), run.frameIndex, 0.0);
-  params.viewAxis = run.reprojection.clipW;
+  params.viewAxis = run.reprojection.viewDepth;
   const std::size_t itemsPerBlock =
       QUELL_BLOCK_EDGE / static_cast<std::size_t>(run.configuration.device.lanes);
   const std::array<std::size_t, 2> range = {static_cast<std::size_t>(params.blocksX) * itemsPerBlock,

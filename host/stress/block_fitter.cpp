@@ -16,6 +16,7 @@ namespace {
 
 // Work-items that share a block, or a tile, on GPUs; as the stages fit and gram_sums have it.
 constexpr std::size_t kFitGroup = 256;
+constexpr std::size_t kLeastFitGroup = QUELL_MOST_FEATURES;  // one lane for each pivot
 constexpr std::size_t kGramGroup = 128;
 constexpr char kStageName[] = "stress";
 
@@ -169,7 +170,9 @@ class BlockFitter::Implementation {
     const int wish = m_configuration.options.fitGroup;
     const std::size_t group = wish > 0 ? static_cast<std::size_t>(wish) : wide ? 1 : kFitGroup;
     const std::string unroll = m_configuration.device.isCpu ? "0" : "1";
-    m_fit = buildShared(builder, "fit", std::min(group, kFitGroup / static_cast<std::size_t>(lanes())),
+    const std::size_t leastGroup = wide ? 1 : kLeastFitGroup;
+    m_fit = buildShared(builder, "fit",
+                        std::max(leastGroup, std::min(group, kFitGroup / static_cast<std::size_t>(lanes()))),
                         "FIT_GROUP_SIZE", "-D FIT_STORAGE_HALF=0 -D FIT_UNROLL=" + unroll);
     m_gramSums = buildShared(builder, "gram_sums", wide ? 1 : kGramGroup, "GRAM_GROUP_SIZE",
                              "-D GRAM_TILE_EDGE=" + std::to_string(kBlockEdge) + " -D GRAM_MIRROR=1");

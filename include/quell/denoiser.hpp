@@ -34,8 +34,8 @@ struct Options {
   Mapping mapping = Mapping::Automatic;
   /// Work-group of the per-pixel kernels, work-items in x and y; 0: chosen from what device and kernel allow.
   std::array<int, 2> workGroup{0, 0};
-  /// Work-items that share a block in the fit, a power of two up to 256; 0: chosen. With the wide mapping at
-  /// most 16 (`householder`) or 1 (`gram`).
+  /// Work-items that share a block in the fit, a power of two up to 256; 0: chosen. Brought into the range of
+  /// the kernel: 16 to 256 (`householder`) or 2 to 256 (`gram`), with the wide mapping 1 to 16 or 1.
   int fitGroup = 0;
   /// Where compiled kernels are kept. Absent: $XDG_CACHE_HOME/quell or ~/.cache/quell; empty string: nowhere.
   std::optional<std::string> cacheDirectory;

@@ -44,7 +44,8 @@ class Settings {
   /// Accepts numbers, on/off/true/false for switches, the names of choices, and texts. Throws as above.
   void set(const std::string& name, const std::string& text);
 
-  /// Sets what `preset` has a value for: "default" everything, "paper" the values of the method's paper. Throws
+  /// Sets what `preset` has a value for: "default" everything; "paper" what the method's paper says where the default
+  /// is something else (svgf; the other methods' defaults are their papers'). Throws
   /// Error(UnknownSetting) for another name.
   void usePreset(const std::string& preset);
 

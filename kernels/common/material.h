@@ -65,6 +65,16 @@ QUELL_INLINE float3L loadFBeta(__global const uchar* roughnessData, __global con
   return surfaceFBeta3(fBetaTable, direction, normal, loadRoughness(roughnessData, params, x, y, lanes), f0);
 }
 
+#if DEMODULATED
+// a / b per channel; 1 where b vanishes.
+QUELL_INLINE float3L divide3(float3L a, float3L b) {
+  a.x = b.x > 0.0f ? a.x / b.x : ONE_LANES;
+  a.y = b.y > 0.0f ? a.y / b.y : ONE_LANES;
+  a.z = b.z > 0.0f ? a.z / b.z : ONE_LANES;
+  return a;
+}
+#endif
+
 // A signal that is tinted by `color`, which the caller may have divided by, and dimmed by `fBeta`.
 QUELL_INLINE Signal makeSignal(float3L radiance, float3L emission, intL emissionFinite, float3L color,
                                float3L fBeta) {
@@ -96,7 +106,7 @@ QUELL_INLINE Material loadMaterial(MATERIAL_ARGUMENTS, MaterialParams params, fl
 #if EMISSION_FORMAT
   const float3L emission = LOAD_PIXELS(EMISSION, emissionData, params.emission, x, y, lanes);
   const intL emissionFinite = isFinite3(emission);
-  material.emission = select3(emissionFinite, emission, splat3(0.0f));
+  material.emission = select3(emissionFinite, clamp3(emission, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f));
 #else
   const intL emissionFinite = TRUE_LANES;
   material.emission = splat3(0.0f);
@@ -126,8 +136,14 @@ QUELL_INLINE Material loadMaterial(MATERIAL_ARGUMENTS, MaterialParams params, fl
   material.signals[0] = makeSignal(radiance, included, emissionFinite, albedo, one);
   material.signals[1] = makeSignal(glossy, splat3(0.0f), TRUE_LANES, glossColor, fBeta);
 #elif ALBEDO_FORMAT && GLOSSCOLOR_FORMAT
-  material.signals[0] =
-      makeSignal(radiance, included, emissionFinite, add3(albedo, multiply3(glossColor, fBeta)), one);
+  // The caller has divided by albedo + gloss colour; what the glossy part is dimmed by is a share of that.
+  const float3L dimmed = add3(albedo, multiply3(glossColor, fBeta));
+#if DEMODULATED
+  const float3L color = add3(albedo, glossColor);
+  material.signals[0] = makeSignal(radiance, included, emissionFinite, color, divide3(dimmed, color));
+#else
+  material.signals[0] = makeSignal(radiance, included, emissionFinite, dimmed, one);
+#endif
 #elif GLOSSCOLOR_FORMAT
   material.signals[0] = makeSignal(radiance, included, emissionFinite, glossColor, fBeta);
 #else

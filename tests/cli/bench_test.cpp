@@ -117,8 +117,8 @@ TEST_CASE("bench stores stage times beside the copy bandwidth", "[cli]") {
 TEST_CASE("bench skips what the library refuses, size by size", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.file("bench.json");
-  REQUIRE(bench({"--solver", "householder,gram", "--windows", "blocks,overlap", "--vary", "taa=off", "--size",
-                 "64x48,33x17", "--json", file}) == 0);
+  REQUIRE(bench({"--methods", "bmfr", "--solver", "householder,gram", "--windows", "blocks,overlap", "--vary",
+                 "taa=off", "--size", "64x48,33x17", "--json", file}) == 0);
   const json result = readJson(file);
   REQUIRE(result.at("runs").size() == 2 * 3);
   CHECK(result.at("runs")[0].at("width") == 64);
@@ -146,8 +146,8 @@ TEST_CASE("bench gives the output of denoise, and its errors, whatever runs besi
 TEST_CASE("bench writes a table whose lines are all alike", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.file("bench.csv"), report = directory.file("bench.json");
-  REQUIRE(quell({"bench", "--input", kData, "--size", "64x48", "--frames", "4", "--repeat", "1", "--csv",
-                 file, "--json", report}) == 0);
+  REQUIRE(quell({"bench", "--methods", "bmfr", "--input", kData, "--size", "64x48", "--frames", "4",
+                 "--repeat", "1", "--csv", file, "--json", report}) == 0);
   const std::vector<std::string> table = lines(io::readFile(file));
   std::size_t expected = 1;  // the header
   const json result = readJson(report);
@@ -183,7 +183,7 @@ TEST_CASE("bench answers mistakes and leaves no file", "[cli]") {
   CHECK(refuses({"--size", "64x48,banana"}));
   CHECK(refuses({"--input", directory.file("none")}));
   CHECK(refuses({"--size", "8x8", "--device", "no such device"}));
-  CHECK(refuses({"--solver", "householder", "--windows", "overlap", "--size", "8x8"}));
+  CHECK(refuses({"--methods", "bmfr", "--solver", "householder", "--windows", "overlap", "--size", "8x8"}));
   CHECK(quell({"bench", "--size", "8x8", "--frames", "0"}) != 0);
   CHECK(quell({"bench", "--size", "8x8", "--repeat", "0"}) != 0);
   CHECK(directory.entryCount() == 0);
@@ -195,7 +195,7 @@ TEST_CASE("bench has a help text", "[cli]") { CHECK(quell({"bench", "--help"}) =
 TEST_CASE("bench takes lists of features, separated by semicolons", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.path() + "/bench.json";
-  REQUIRE(bench({"--features", "1,n;1,n,w", "--size", "64x48", "--json", file}) == 0);
+  REQUIRE(bench({"--methods", "bmfr", "--features", "1,n;1,n,w", "--size", "64x48", "--json", file}) == 0);
   const json runs = readJson(file).at("runs");
   REQUIRE(runs.size() == 2);
   CHECK(runs[0].at("settings").at("features") == "1,n");

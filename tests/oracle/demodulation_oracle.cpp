@@ -47,7 +47,8 @@ Material materialAt(const MaterialImages& images, int x, int y, int signal) {
   Material material;
   const Vector3d radiance = rgbAt(signal == 0 ? images.radiance : images.glossyRadiance, x, y);
   const bool emits = signal == 0 && !images.emission.empty();
-  const Vector3d emission = emits ? rgbAt(images.emission, x, y) : Vector3d::Zero();
+  Vector3d emission = emits ? rgbAt(images.emission, x, y) : Vector3d::Zero();
+  if (emission.allFinite()) emission = emission.cwiseMax(0.0).cwiseMin(double(QUELL_MAX_RADIANCE));
   material.finite = radiance.allFinite() && emission.allFinite();
   if (emission.allFinite()) material.emission = emission;
   const Vector3d light = images.demodulated ? radiance : Vector3d(radiance - emission);

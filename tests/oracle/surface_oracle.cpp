@@ -25,7 +25,9 @@ Surface surfaceAt(const FrameImages& frame, int x, int y, bool& undecided) {
   surface.valid = surface.position.allFinite() &&
                   surface.position.cwiseAbs().maxCoeff() < QUELL_MAX_POSITION &&
                   length >= QUELL_MIN_NORMAL_SQUARED && length <= QUELL_MAX_NORMAL_SQUARED;
-  return surface.valid ? surface : Surface();
+  if (!surface.valid) return Surface();
+  surface.normal.normalize();
+  return surface;
 }
 
 double viewDepthOf(const FrameImages& frame, const Surface& surface) {

@@ -7,7 +7,7 @@
 
 #include "host/io/frame_sequence.hpp"
 #include "host/metrics/report.hpp"
-#include "tests/pipelines/denoise_case.hpp"
+#include "tests/pipelines/signal_images.hpp"
 
 namespace quell::tests {
 namespace {
@@ -31,50 +31,6 @@ Settings withSetting(const std::string& method, const std::string& name, const s
   Settings settings(method);
   settings.set(name, value);
   return settings;
-}
-
-io::Image image(const io::FrameData& frame, int channels, float value) {
-  return io::Image(frame.radiance.width, frame.radiance.height, channels, value);
-}
-
-// Light of its own for a glossy lobe, with gloss colour and roughness.
-void addGloss(io::FrameData& frame) {
-  frame.glossColor = image(frame, 3, 0.25f);
-  frame.glossyRadiance = image(frame, 3, 0.0f);
-  frame.roughness = image(frame, 1, 0.5f);
-  for (int y = 0; y < frame.radiance.height; ++y) {
-    for (int x = 0; x < frame.radiance.width; ++x) {
-      const float noise = 0.25f * static_cast<float>((7 * x + 13 * y + 5 * frame.number) % 8);
-      for (int c = 0; c < 3; ++c) frame.glossyRadiance.at(x, y, c) = noise * (0.1f + 0.05f * float(c));
-      frame.roughness.at(x, y, 0) = float(x) / float(frame.radiance.width);
-      frame.glossColor.at(x, y, 1) = 0.05f * float(1 + x / 8 % 4);
-    }
-  }
-}
-
-void keepDiffuse(io::FrameData& frame) {
-  addGloss(frame);
-  frame.glossColor = frame.glossyRadiance = io::Image();
-}
-
-void keepGlossy(io::FrameData& frame) {
-  addGloss(frame);
-  frame.radiance = frame.glossyRadiance;
-  frame.albedo = frame.emission = frame.glossyRadiance = io::Image();
-}
-
-// Largest difference relative to the brightness of the pixel, at least 1.
-double largestError(const io::Image& a, const io::Image& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    largest = std::max(
-        largest, std::abs(double(a.pixels[i]) - b.pixels[i]) / std::max(1.0, std::abs(double(b.pixels[i]))));
-  return largest;
-}
-
-io::Image sum(io::Image a, const io::Image& b) {
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) a.pixels[i] += b.pixels[i];
-  return a;
 }
 
 void checkClean(const DenoisedSequence& result) {
@@ -153,22 +109,6 @@ TEST_CASE("any number of iterations, either feedback and a stop at roughness run
   CHECK(with("feedback", "none") != with("feedback", "first"));
   CHECK(with("roughnessSigma", "0.5") != with("roughnessSigma", "0"));
   CHECK(with("demodulate", "none") != with("demodulate", "albedo"));
-}
-
-TEST_CASE("two signals denoise to the sum of two runs with one", "[pipelines]") {
-  const auto sequence = analyticSequence(97, 61, 4);
-  for (const std::string& method : kMethods) {
-    const auto last = [&](void (*edit)(io::FrameData&)) {
-      // The stop at roughness is for the glossy signal, or for the only one.
-      const Settings settings = withSetting(method, "roughnessSigma", "0");
-      return denoiseSequence(*sequence, firstFrames(4), settings, {}, edit).frames.back().linear;
-    };
-    const io::Image both = last(addGloss);
-    const io::Image glossy = last(keepGlossy);
-    INFO(method);
-    CHECK(largestError(both, sum(last(keepDiffuse), glossy)) < 1e-5);
-    CHECK(*std::max_element(glossy.pixels.begin(), glossy.pixels.end()) > 0.1f);
-  }
 }
 
 TEST_CASE("a scene in constant light stays as it is", "[pipelines]") {

