@@ -11,7 +11,7 @@ namespace {
 
 StageSetup makeAccumulateNoisySetup(const CaseOptions& options, const AccumulateNoisyVariant& variant) {
   StageSetup setup = makeSetup(options);
-  if (variant.svgf()) {
+  if (variant.filterGuides) {
     setup.settings = Settings("svgf");
     setup.settings.set("momentsLeastWeight", 0.15);  // told apart from the weight of the irradiance
   }
@@ -67,8 +67,9 @@ AccumulateNoisyCase::AccumulateNoisyCase(const CaseOptions& options, const Accum
   static_cast<FrameImages&>(inputs) = randomFrame(variant.images(), options.size, options.seed);
   inputs.guidesPrev = renderScene(movedCamera(), options.size, inputs.material.signals()).guides;
   const Settings& settings = m_harness.configuration().settings;
-  inputs.leastWeight = float(settings.get(variant.svgf() ? "irradianceLeastWeight" : "noisyLeastWeight"));
-  inputs.momentsLeastWeight = variant.svgf() ? float(settings.get("momentsLeastWeight")) : 0.0;
+  inputs.leastWeight =
+      float(settings.get(variant.filterGuides ? "irradianceLeastWeight" : "noisyLeastWeight"));
+  inputs.momentsLeastWeight = variant.filterGuides ? float(settings.get("momentsLeastWeight")) : 0.0;
   randomHistory(inputs, options.size, options.seed + 20);
   useReprojection(makeReprojection({}, movedCamera(), options.size));
 }
@@ -83,7 +84,7 @@ void AccumulateNoisyCase::upload() {
   m_harness.upload(previousIrradiance(), inputs.irradiancePrev);
   m_harness.upload("historyLength.prev", inputs.historyLengthPrev);
   m_harness.upload("guides.prev", inputs.guidesPrev);
-  if (m_variant.svgf()) m_harness.upload("moments.prev", inputs.momentsPrev);
+  if (m_variant.filterGuides) m_harness.upload("moments.prev", inputs.momentsPrev);
 }
 
 AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
@@ -95,9 +96,9 @@ AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
           m_harness.download("guides"),
           m_harness.download("pixelPrev"),
           m_harness.download("reprojectionMask"),
-          downloadIf(m_variant.svgf(), "moments"),
-          downloadIf(m_variant.svgf(), "viewDepth"),
-          downloadIf(m_variant.svgf() && m_variant.roughness, "roughness")};
+          downloadIf(m_variant.filterGuides, "moments"),
+          downloadIf(m_variant.filterGuides, "viewDepth"),
+          downloadIf(m_variant.filterGuides && m_variant.roughness, "roughness")};
 }
 
 Comparison AccumulateNoisyCase::compare() {

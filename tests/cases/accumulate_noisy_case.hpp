@@ -20,7 +20,6 @@ struct AccumulateNoisyVariant {
   bool roughness = false;  ///< whether the caller has it
 
   FrameVariant images() const { return {material, viewDepth, roughness}; }
-  bool svgf() const { return filterGuides || material.twoSignals; }
 };
 
 /// A moving camera before the test scene; the history is random.

@@ -35,7 +35,6 @@ void setMaterialViews(StageSetup& setup, const MaterialVariant& variant, const I
   if (variant.albedo) frame.albedo = view;
   if (variant.glossColor) frame.glossColor = view;
   frame.demodulated = variant.demodulated;
-  if (variant.twoSignals && setup.settings.method() == "bmfr") setup.settings = Settings("svgf");
   setup.settings.set("demodulate", variant.divide ? "albedo" : "none");
 }
 

@@ -22,8 +22,7 @@ constexpr MaterialVariant kTwoSignals{true, true, true, false, true};
 constexpr MaterialVariant kTwoDemodulatedSignals{true, true, true, true, true};
 constexpr MaterialVariant kUndividedMaterial{true, true, true, false, false, false};
 
-/// Views of the images that the variant has, all in one layout, and the settings that go with it: two
-/// signals need another method than bmfr.
+/// Views of the images that the variant has, all in one layout, and the setting that goes with it.
 void setMaterialViews(StageSetup& setup, const MaterialVariant& variant, const ImageLayout& layout);
 
 /// Random radiance; factors from 0 to 1 with many near 0, where demodulation fades out.
