@@ -32,7 +32,7 @@ void demodulatedLight(io::FrameData& frame) {
   frame.albedo = image(frame, 3, 0.25f);
   frame.glossColor = image(frame, 3, 0.5f);
   frame.roughness = image(frame, 1, 0.3f);
-  frame.f0 = image(frame, 3, 0.04f);
+  frame.f0 = image(frame, 3, 0.8f);
   frame.emission = io::Image();
   frame.demodulated = true;
 }
