@@ -1,8 +1,9 @@
 // blended_sum: evaluates the fits of overlapping windows with the noise-free features, blended between tile centres.
 // Paper:   Koskela et al. 2019, eq. (6) and its limitation 3 (block edges): the predictions of the four nearest
 //          windows are interpolated bilinearly, so that there is no edge to see, even without history.
-// In:      records of gram_solve (one a tile), guides of this frame. Out: fitted irradiance (3 planes), >= 0; 0 at
-//          background.
+// In:      records of gram_solve (one a tile), guides of this frame (see common/guides.h); materials (4 planes) where
+//          a feature needs them. Out: fitted irradiance (3 planes per signal, of which those of QUELL_SIGNAL are
+//          written), >= 0; 0 at background.
 // Grid:    work-items follow the cells between tile centres, in which all pixels see the same four windows: one
 //          work-item takes QUELL_LANES pixels of a cell (with sixteen lanes and tiles of 8: two rows of eight).
 #include "accumulate_noisy_params.h"

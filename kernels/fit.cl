@@ -1,7 +1,8 @@
 // fit: least-squares fit of the features to the accumulated irradiance, one 32x32 block a work-group.
 // Paper:   Koskela et al. 2019, phase II: augmented Householder QR [T + N, z], eq. (4) and (5), stochastic
 //          regularisation with uniform noise N of amplitude epsilon, all colour channels at once.
-// In:      irradiance (3 planes) and guides (7 planes) of this frame; materials (4 planes) where a feature needs them.
+// In:      irradiance (3 planes per signal, of which those of QUELL_SIGNAL are fitted) and guides (see
+//          common/guides.h) of this frame; materials (4 planes) where a feature needs them.
 // Out:     one record a block: coefficients of all features and the scaling of the unbounded ones (fit_params.h).
 // Grid:    blocks are displaced by one of 16 offsets a frame; pixels outside the image are mirrored.
 // Order:   every sum over the block runs over 256 logical lanes (pixel index modulo 256), each in ascending order,

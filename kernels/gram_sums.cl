@@ -1,14 +1,15 @@
 // gram_sums: sums over a tile of all products of features and colours: everything a least-squares fit needs.
 // Paper:   the normal equations of Koskela et al. 2019, eq. (2); the features of its eq. (1) as in fit.cl.
-// In:      irradiance (3 planes) and guides (7 planes) of this frame; materials (4 planes) where a feature needs them.
+// In:      irradiance (3 planes per signal, of which those of QUELL_SIGNAL are fitted) and guides (see
+//          common/guides.h) of this frame; materials (4 planes) where a feature needs them.
 // Out:     per tile the upper triangle of the weighted Gram matrix of [features | colour] and the range of the
 //          unbounded variables, one plane per number (gram_params.h); they are scaled to [0, 1] by it, as in fit.cl.
 // Tiles:   GRAM_TILE_EDGE pixels square. With GRAM_MIRROR pixels outside the image are mirrored (blocks of 32, as in
 //          fit.cl), else they are left out.
 // Why:     the factorisation in fit.cl makes 85 passes over columns of 1024 numbers; this is one pass over the pixels.
 //
-// GRAM_GROUP_SIZE 1: one work-item a tile, sixteen pixels at once, all sums (91 of ten features) held by it. Above: the work-group
-// stages columns in local memory and every work-item owns some of the sums. Both add in one fixed order.
+// GRAM_GROUP_SIZE 1: one work-item a tile, sixteen pixels at once, all sums (91 of ten features) held by it. Above: the
+// work-group stages columns in local memory and every work-item owns some of the sums. Both add in one fixed order.
 #include "accumulate_noisy_params.h"
 #include "common/blocks.h"
 #include "common/fit_features.h"

@@ -1,7 +1,7 @@
 // material_guides: albedo and roughness of this frame as planes, for fits with features made of them.
 // Paper:   Koskela et al. 2019, section on the choice of feature buffers (material roughness).
 // In:      the caller's albedo and roughness, any layout; an image that no feature needs is compiled out.
-// Out:     materials: planes of albedo (3) and roughness (1), 0 to 1. What is not finite counts as 0, as everywhere.
+// Out:     materials: planes of albedo (3) and roughness (1), 0 to 1. What is not finite counts as 0.
 #include "common/image_access.h"
 #include "common/planes.h"
 #include "fit_params.h"

@@ -17,7 +17,7 @@ namespace {
 // The functions that the caller called.
 constexpr char kPrepare[] = "prepare";
 constexpr char kDenoise[] = "denoise";
-// Largest width or height in pixels, and most pixels: indices of seven planes must stay below 2^31.
+// Largest width or height in pixels, and most pixels: indices of eight planes must stay below 2^31.
 constexpr int kMostExtent = 32768;
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 27;
 // Kernels count the components of a caller's image in 32 bits.

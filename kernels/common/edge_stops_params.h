@@ -14,7 +14,8 @@ typedef struct EdgeStopParams {
 
 QUELL_NAMESPACE_END
 
-// Least slope of a surface, as a share of the view depth per pixel: about 3 degrees at 480 pixels and 60 degrees across.
+// Least slope of a surface, as a share of the view depth per pixel: about 2.4 degrees at 480 pixels and 60 degrees
+// across.
 #define QUELL_LEAST_SLOPE 1e-4f
 // Roughness below this counts as this: mirrors of slightly different roughness look alike.
 #define QUELL_LEAST_ROUGHNESS 0.02f
