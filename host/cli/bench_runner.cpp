@@ -18,6 +18,7 @@ struct ActiveRun {
   BenchRun run;
   std::unique_ptr<DenoiseSession> session;
   OutputHash hash;
+  metrics::MotionCompensatedErrorMeter flicker;
 };
 
 // Opens what the library accepts; notes what it refuses.
@@ -38,7 +39,7 @@ std::vector<ActiveRun> openRuns(const std::vector<PlannedRun>& plans, const Benc
       report.size = size;
       report.frames = input.frames.size();
       report.memory = session->denoiser().memoryUse();
-      active.push_back({{sequence.name(), plan, std::move(report)}, std::move(session), {}});
+      active.push_back({{sequence.name(), plan, std::move(report)}, std::move(session), {}, {}});
     } catch (const Error& error) {
       if (error.code() != ErrorCode::InvalidArgument && error.code() != ErrorCode::OutOfRange) throw;
       skipped.push_back({sequence.name(), size, plan, error.what()});
@@ -64,6 +65,7 @@ void measureErrors(ActiveRun& active, const io::FrameData& frame, const io::Fram
   const DenoisedFrame denoised = active.session->denoise(frame);
   active.hash.add(denoised.linear);
   active.hash.add(denoised.display);
+  active.flicker.add(trackFrame(frame, denoised));
   if (!frame.comparable()) return;
   if (const auto reference = sequence.reference(frame.number))
     active.run.report.errors.push_back(compareFrame(frame, denoised, *reference));
@@ -74,6 +76,7 @@ void warmUp(std::vector<ActiveRun>& active, const BenchInput& input) {
            [&](ActiveRun& run, const io::FrameData& frame) { measureErrors(run, frame, *input.sequence); });
   for (ActiveRun& run : active) {
     run.run.report.outputHash = run.hash.text();
+    run.run.report.temporalError = run.flicker.mean();
     run.session->denoiser().clearTimings();
   }
 }

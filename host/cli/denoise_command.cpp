@@ -98,15 +98,19 @@ void runDenoise(const DenoiseOptions& options) {
   io::FrameData frame = sequence->read(frames.front());
   const Options deviceOptions = makeOptions(options.device, timerMode(options.timers));
   DenoiseSession session(options.device.device, settings, deviceOptions, frame);
-  DenoiseReport report{
-      session.device(), settings, {sequence->width(), sequence->height()}, 0, {}, "", {}, {}, {}, {}};
+  DenoiseReport report;
+  report.device = session.device();
+  report.settings = settings;
+  report.size = {sequence->width(), sequence->height()};
   OutputHash hash;
+  metrics::MotionCompensatedErrorMeter flicker;
   Progress progress("denoise", frames.size());
   for (const int number : frames) {
     if (number != frame.number) frame = sequence->read(number);
     const DenoisedFrame denoised = session.denoise(frame);
     hash.add(denoised.linear);
     hash.add(denoised.display);
+    flicker.add(trackFrame(frame, denoised));
     if (files) files->write(number, denoised);
     if (const auto reference = sequence->reference(number)) {
       if (frame.comparable()) report.errors.push_back(compareFrame(frame, denoised, *reference));
@@ -118,6 +122,7 @@ void runDenoise(const DenoiseOptions& options) {
 
   report.memory = session.denoiser().memoryUse();
   report.outputHash = hash.text();
+  report.temporalError = flicker.mean();
   if (options.timers != "off") report.timings = session.denoiser().timings();
   if (options.copyBandwidth) {
     const CopyBandwidth copy = measureCopyBandwidth(session.context(), session.deviceId(), session.queue());

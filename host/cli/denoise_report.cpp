@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "host/metrics/display_encoding.hpp"
+
 namespace quell::cli {
 namespace {
 
@@ -103,6 +105,10 @@ FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denois
           metrics::compareToReference(denoised.display, true, reference.a, reference.b)};
 }
 
+metrics::TrackedFrame trackFrame(const io::FrameData& frame, const DenoisedFrame& denoised) {
+  return {metrics::encodeForDisplay(denoised.linear), frame.normalWorld, frame.positionWorld, frame.camera};
+}
+
 StageTimings sumOfStages(const Timings& timings) {
   StageTimings sum;
   sum.stage = "sum of stages";
@@ -138,6 +144,7 @@ json toJson(const DenoiseReport& report) {
     result["copy_ms"] = *report.copyMs;
     result["copy_gbs"] = *report.copyGbs;
   }
+  if (report.temporalError) result["temporal_error"] = number(report.temporalError);
   if (!report.errors.empty()) result["errors"] = json::array();
   for (const FrameErrors& frame : report.errors) {
     result["errors"].push_back({{"frame", frame.frame},
@@ -155,6 +162,9 @@ void print(const DenoiseReport& report) {
              static_cast<double>(report.memory.totalBytes) / kMebibyte, report.outputHash);
   if (report.timings) printTimings(report);
   if (!report.errors.empty()) printErrors(report.errors);
+  if (report.temporalError)
+    fmt::print("  temporal error, motion-compensated (mean luma difference of consecutive frames): {:.5f}\n",
+               *report.temporalError);
 }
 
 }  // namespace quell::cli

@@ -10,6 +10,7 @@
 
 #include "host/cli/denoise_session.hpp"
 #include "host/io/frame_sequence.hpp"
+#include "host/metrics/motion_compensated.hpp"
 #include "host/metrics/report.hpp"
 
 namespace quell::cli {
@@ -26,6 +27,9 @@ struct FrameErrors {
 FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denoised,
                          const io::Reference& reference);
 
+/// What the motion-compensated temporal error needs of a frame: the picture before TAA and its guides.
+metrics::TrackedFrame trackFrame(const io::FrameData& frame, const DenoisedFrame& denoised);
+
 struct DenoiseReport {
   DeviceInfo device;
   Settings settings;
@@ -37,6 +41,7 @@ struct DenoiseReport {
   std::optional<double> copyMs;   ///< the unit *copy*, see bench/copy_bandwidth.hpp
   std::optional<double> copyGbs;  ///< GB/s
   std::vector<FrameErrors> errors;
+  std::optional<double> temporalError;  ///< motion-compensated, before TAA, see MotionCompensatedErrorMeter
 };
 
 /// All stages of a frame taken together: sums of their statistics and bytes, gaps between stages left out.

@@ -13,7 +13,7 @@ BlendedSumCase::BlendedSumCase(const CaseOptions& options, GramWindows windows)
       m_features(options.features) {
   inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
   inputs.list = namesOf(m_features);
-  m_reprojection.clipW = viewAxisOf(inputs.list);
+  m_reprojection.viewDepth = viewAxisOf(inputs.list);
   inputs.tileEdge = windows.tileEdge;
   useFrame(1);
   inputs.records = randomRecords(inputs.list, inputs.params.tilesX * inputs.params.tilesY, options.seed);

@@ -37,7 +37,7 @@ FitCase::FitCase(const CaseOptions& options, FeatureStorage storage, double nois
       m_storage(storage),
       m_features(options.features) {
   inputs.list = namesOf(m_features);
-  m_reprojection.clipW = viewAxisOf(inputs.list);
+  m_reprojection.viewDepth = viewAxisOf(inputs.list);
   inputs.irradiance = randomPlanes(options.size, 3, options.seed, 0.0, 8.0);
   inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
   Random random(options.seed + 1);

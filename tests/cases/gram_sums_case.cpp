@@ -80,7 +80,7 @@ GramSumsCase::GramSumsCase(const CaseOptions& options, GramWindows windows)
       inputs(makeGramInputs(options, windows)),
       m_windows(windows),
       m_features(options.features) {
-  m_reprojection.clipW = viewAxisOf(inputs.list);
+  m_reprojection.viewDepth = viewAxisOf(inputs.list);
   useFrame(1);
 }
 

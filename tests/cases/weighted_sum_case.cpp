@@ -12,7 +12,7 @@ WeightedSumCase::WeightedSumCase(const CaseOptions& options)
     : StageCase("weighted_sum", makeSetup(options)), m_features(options.features) {
   inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
   inputs.list = namesOf(m_features);
-  m_reprojection.clipW = viewAxisOf(inputs.list);
+  m_reprojection.viewDepth = viewAxisOf(inputs.list);
   inputs.records = randomRecords(inputs.list, blockCount(options.size), options.seed);
   useFrame(1);
 }
