@@ -7,6 +7,7 @@
 //          frame before.
 // Out:     per signal: irradiance (3 planes), history length (bytes), reprojection mask (bytes) and, with MOMENTS, the
 //          moments of luminance (2 planes); guides (see common/guides.h); pixel index in the frame before (2 planes);
+//          F_beta (3 planes) where light is divided by it;
 //          with FILTER_GUIDES view depth (1 plane) and, where the caller has it, roughness (1 plane).
 // Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded: a cumulative mean
 //          first, an exponential one later.
@@ -96,12 +97,13 @@ QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisy
   return (sample.present || hasHistory) ? (sample.present ? sample.weight : ONE_LANES) : ZERO_LANES;
 }
 
-__kernel void accumulate_noisy(MATERIAL_ARGUMENTS, SURFACE_ARGUMENTS, __global const float* irradiancePrev,
-                               __global const uchar* historyLengthPrev, __global const float* guidesPrev,
-                               __global const float* momentsPrev, __global float* irradiance,
-                               __global uchar* historyLength, __global float* guides, __global float* moments,
-                               __global float* pixelPrev, __global uchar* reprojectionMask,
-                               __global float* viewDepth, __global float* roughness,
+__kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARGUMENTS,
+                               __global const float* irradiancePrev, __global const uchar* historyLengthPrev,
+                               __global const float* guidesPrev, __global const float* momentsPrev,
+                               __global float* irradiance, __global uchar* historyLength,
+                               __global float* guides, __global float* moments, __global float* pixelPrev,
+                               __global uchar* reprojectionMask, __global float* viewDepth,
+                               __global float* roughness, __global float* fBetaPlanes,
                                AccumulateNoisyParams params) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
@@ -113,7 +115,14 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, SURFACE_ARGUMENTS, __global c
 
   const Surface surface =
       loadSurface(normalData, positionData, params.surface, params.reprojection, x, y, lanes);
-  const Material material = LOAD_MATERIAL(params.material, surface.position, surface.normal, x, y, lanes);
+#if DEMODULATE == QUELL_DEMODULATE_F_BETA
+  const float3L fBeta = loadFBeta(roughnessData, f0Data, fBetaTable, params.material, surface.position,
+                                  surface.normal, x, y, lanes);
+  storeLanes3(fBeta, fBetaPlanes, index, stride);
+#else
+  const float3L fBeta = splat3(1.0f);
+#endif
+  const Material material = LOAD_MATERIAL(params.material, fBeta, x, y, lanes);
 
   // Background moves like a point at infinity: only TAA uses where it was.
   const float3L ray = viewRay(params.reprojection, TO_FLOAT(x + LANE_INDEX), (floatL)((float)y));

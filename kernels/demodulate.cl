@@ -3,14 +3,14 @@
 // In:      the caller's radiance (or diffuse and glossy radiance), normal, position (or view depth), optional emission,
 //          albedo, gloss colour and roughness, any layout.
 // Out:     irradiance (3 planes per signal), guides (see common/guides.h), view depth (1 plane) and, where the caller
-//          has it, roughness (1 plane). A missing sample is 0 and has the weight 0.
+//          has it, roughness (1 plane), F_beta (3 planes) where light is divided by it. A missing sample is 0 and has the weight 0.
 #include "common/filter_input.h"
 #include "common/surface_images.h"
 #include "demodulate_params.h"
 
-__kernel void demodulate(MATERIAL_ARGUMENTS, SURFACE_ARGUMENTS, __global float* irradiance,
+__kernel void demodulate(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARGUMENTS, __global float* irradiance,
                          __global float* guides, __global float* viewDepth, __global float* roughness,
-                         DemodulateParams params) {
+                         __global float* fBetaPlanes, DemodulateParams params) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
   const int x = (int)get_global_id(0) * QUELL_LANES;
@@ -21,7 +21,14 @@ __kernel void demodulate(MATERIAL_ARGUMENTS, SURFACE_ARGUMENTS, __global float* 
 
   const Surface surface =
       loadSurface(normalData, positionData, params.surface, params.reprojection, x, y, lanes);
-  const Material material = LOAD_MATERIAL(params.material, surface.position, surface.normal, x, y, lanes);
+#if DEMODULATE == QUELL_DEMODULATE_F_BETA
+  const float3L fBeta = loadFBeta(roughnessData, f0Data, fBetaTable, params.material, surface.position,
+                                  surface.normal, x, y, lanes);
+  storeLanes3(fBeta, fBetaPlanes, index, stride);
+#else
+  const float3L fBeta = splat3(1.0f);
+#endif
+  const Material material = LOAD_MATERIAL(params.material, fBeta, x, y, lanes);
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const Sample sample = makeSample(material.signals[s], surface.valid);
     storeLanes3(select3(sample.present, sample.irradiance, splat3(0.0f)), irradiance + 3 * s * stride, index,

@@ -2,7 +2,7 @@
 // Paper:   Koskela et al. 2019, post-processing: albedo, removed before phase I, is multiplied back. The blend k is
 //          described in common/demodulation.h.
 // In:      filtered irradiance (3 planes per signal), guides, the caller's radiance (or diffuse and glossy radiance),
-//          emission, albedo and gloss colour.
+//          emission, albedo and gloss colour; F_beta (3 planes) where light was divided by it.
 // Out:     linear radiance as 3 planes and, if the caller wants it, in the caller's layout; finite, in [0, 65504].
 //          Background and broken surfaces pass the signal through; a missing sample there is black.
 #include "common/guides.h"
@@ -24,8 +24,9 @@ QUELL_INLINE float3L remodulateSignal(Signal signal, float3L filtered, intL surf
   return multiply3(signal.tint, radiance);
 }
 
-__kernel void remodulate(__global const float* filtered, __global const float* guides, MATERIAL_ARGUMENTS,
-                         __global float* linearPlanes, __global uchar* outputData, RemodulateParams params) {
+__kernel void remodulate(__global const float* filtered, __global const float* guides,
+                         __global const float* fBetaPlanes, MATERIAL_ARGUMENTS, __global float* linearPlanes,
+                         __global uchar* outputData, RemodulateParams params) {
   const PlaneParams planes = params.planes;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
@@ -33,9 +34,13 @@ __kernel void remodulate(__global const float* filtered, __global const float* g
   const int lanes = min(QUELL_LANES, planes.width - x);
   const int index = planeIndex(planes, x, y);
 
-  const float3L position = loadLanes3(guides + QUELL_GUIDE_POSITION * planes.stride, index, planes.stride);
   const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * planes.stride, index, planes.stride);
-  const Material material = LOAD_MATERIAL(params.material, position, normal, x, y, lanes);
+#if DEMODULATE == QUELL_DEMODULATE_F_BETA
+  const float3L fBeta = loadLanes3(fBetaPlanes, index, planes.stride);
+#else
+  const float3L fBeta = splat3(1.0f);
+#endif
+  const Material material = LOAD_MATERIAL(params.material, fBeta, x, y, lanes);
   const intL surface = dot3(normal, normal) > 0.0f;
   float3L radianceOut = material.emission;
   for (int s = 0; s < QUELL_SIGNALS; ++s) {

@@ -37,14 +37,16 @@ MaterialParams makeMaterialParams(const Frame& frame, const ReprojectionParams& 
   return params;
 }
 
-std::uint64_t materialBytes(const Configuration& configuration) {
-  const Frame& frame = configuration.frame;
-  const std::uint64_t fBeta = dividesByFBeta(configuration)
-                                  ? imageBytes(frame.roughness, frame.size) + imageBytes(frame.f0, frame.size)
-                                  : 0;
+std::uint64_t materialBytes(const Frame& frame) {
   return imageBytes(frame.radiance, frame.size) + imageBytes(frame.glossyRadiance, frame.size) +
          imageBytes(frame.emission, frame.size) + imageBytes(frame.albedo, frame.size) +
-         imageBytes(frame.glossColor, frame.size) + fBeta;
+         imageBytes(frame.glossColor, frame.size);
+}
+
+std::uint64_t fBetaBytes(const Configuration& configuration) {
+  if (!dividesByFBeta(configuration)) return 0;
+  const Frame& frame = configuration.frame;
+  return imageBytes(frame.roughness, frame.size) + imageBytes(frame.f0, frame.size);
 }
 
 std::string surfaceOptions(const Frame& frame) {

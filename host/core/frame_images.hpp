@@ -46,7 +46,9 @@ bool dividesByFBeta(const Configuration& configuration);
 std::string materialOptions(const Configuration& configuration);
 MaterialParams makeMaterialParams(const Frame& frame, const ReprojectionParams& reprojection);
 /// Bytes of light and what it is divided by.
-std::uint64_t materialBytes(const Configuration& configuration);
+std::uint64_t materialBytes(const Frame& frame);
+/// Bytes of what F_beta is looked up with, if that is asked for.
+std::uint64_t fBetaBytes(const Configuration& configuration);
 
 /// Compile options for normal and position.
 std::string surfaceOptions(const Frame& frame);

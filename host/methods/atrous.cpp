@@ -44,7 +44,8 @@ Schedule makeSchedule(const Configuration& configuration) {
 
   std::vector<std::string> filterGuides = {"guides", "viewDepth"};
   if (configuration.frame.roughness.present()) filterGuides.push_back("roughness");
-  addStage(schedule, std::make_unique<Demodulate>(), {}, joinedNames({"irradiance"}, filterGuides));
+  addStage(schedule, std::make_unique<Demodulate>(), {},
+           joinedNames(joinedNames({"irradiance"}, filterGuides), addFBeta(schedule, configuration)));
   for (int i = 1; i <= iterations; ++i) {
     const double sigma = s.get("luminanceSigma") / (1 << (i - 1));
     addStage(schedule,

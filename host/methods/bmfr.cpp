@@ -159,7 +159,8 @@ Schedule makeSchedule(const Configuration& configuration) {
   // clang-format off
   add(std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{s.get("noisyLeastWeight")}),
       {"irradiance.prev", "historyLength.prev", "guides.prev"},
-      {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});
+      joinedNames({"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"},
+                  addFBeta(schedule, configuration)));
   std::vector<std::string> guides = {"guides"};
   if (features.needMaterial()) {
     add(std::make_unique<MaterialGuides>(features),

@@ -1,5 +1,6 @@
 #include "host/methods/method_table.hpp"
 
+#include "host/core/frame_images.hpp"
 #include "host/stages/remodulate.hpp"
 #include "host/stages/temporal_antialiasing.hpp"
 #include "host/stages/tone_map.hpp"
@@ -21,6 +22,12 @@ std::vector<std::string> joinedNames(std::vector<std::string> names, const std::
   return names;
 }
 
+std::vector<std::string> addFBeta(Schedule& schedule, const Configuration& configuration) {
+  if (!dividesByFBeta(configuration)) return {};
+  schedule.buffers.push_back(transient("fBeta", Element::Float32, 3));
+  return {"fBeta"};
+}
+
 void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
               std::vector<std::string> writes) {
   schedule.stages.push_back({std::move(stage), std::move(reads), std::move(writes)});
@@ -32,7 +39,8 @@ void addOutputStages(Schedule& schedule, const Configuration& configuration, con
   const bool display = configuration.output.display.present();
   schedule.buffers.push_back(transient("linear", Element::Float32, 3));
   schedule.buffers.push_back(transient("encoded", Element::Float32, 3));
-  addStage(schedule, std::make_unique<Remodulate>(filtered, display), {filtered, "guides"},
+  addStage(schedule, std::make_unique<Remodulate>(filtered, display),
+           joinedNames({filtered, "guides"}, dividesByFBeta(configuration) ? Names{"fBeta"} : Names{}),
            display ? Names{"linear"} : Names{});
   if (!display) return;
   addStage(schedule, std::make_unique<ToneMap>(!antialias), {"linear"},

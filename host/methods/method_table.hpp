@@ -18,6 +18,10 @@ BufferSpec elements(const std::string& name, std::size_t count);
 /// `names` and then `more`.
 std::vector<std::string> joinedNames(std::vector<std::string> names, const std::vector<std::string>& more);
 
+/// Adds the buffer that keeps F_beta from the first stage to remodulate, where light is divided by it; its name, or
+/// none.
+std::vector<std::string> addFBeta(Schedule& schedule, const Configuration& configuration);
+
 /// Adds one line to the table.
 void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
               std::vector<std::string> writes);

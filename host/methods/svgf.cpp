@@ -119,7 +119,9 @@ Schedule makeSchedule(const Configuration& configuration) {
       std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{
           s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"), irradiancePrev, true}),
       {irradiancePrev, "historyLength.prev", "guides.prev", "moments.prev"},
-      joinedNames({"irradiance", "historyLength", "moments", "pixelPrev", "reprojectionMask"}, filterGuides));
+      joinedNames(joinedNames({"irradiance", "historyLength", "moments", "pixelPrev", "reprojectionMask"},
+                              filterGuides),
+                  addFBeta(schedule, configuration)));
   addStage(schedule, std::make_unique<Variance>(stops, static_cast<int>(s.get("temporalVarianceFrames"))),
            {"moments", "historyLength", "guides", "viewDepth"}, {"variance"});
   for (int i = 1; i <= iterations; ++i) {

@@ -33,12 +33,12 @@ void AccumulateNoisy::enqueue(FrameRun& run) {
              bufferIf(hasMoments(), "moments.prev"), run.buffer("irradiance"), run.buffer("historyLength"),
              run.buffer("guides"), bufferIf(hasMoments(), "moments"), run.buffer("pixelPrev"),
              run.buffer("reprojectionMask"), bufferIf(m_setup.filterGuides, "viewDepth"),
-             bufferIf(roughness, "roughness"), params);
+             bufferIf(roughness, "roughness"), bufferIf(dividesByFBeta(run.configuration), "fBeta"), params);
 }
 
 std::uint64_t AccumulateNoisy::callerBytes(const Configuration& configuration) const {
   const Frame& frame = configuration.frame;
-  return materialBytes(configuration) + imageBytes(frame.normalWorld, frame.size) +
+  return materialBytes(frame) + fBetaBytes(configuration) + imageBytes(frame.normalWorld, frame.size) +
          imageBytes(positionView(frame), frame.size) +
          (m_setup.filterGuides ? imageBytes(frame.roughness, frame.size) : 0);
 }

@@ -22,12 +22,12 @@ void Demodulate::enqueue(FrameRun& run) {
              frame.albedo, frame.glossColor, frame.roughness, frame.f0, run.configuration.fBetaTable,
              frame.normalWorld, positionView(frame), run.buffer("irradiance"), run.buffer("guides"),
              run.buffer("viewDepth"), frame.roughness.present() ? run.buffer("roughness") : cl::Buffer(),
-             params);
+             dividesByFBeta(run.configuration) ? run.buffer("fBeta") : cl::Buffer(), params);
 }
 
 std::uint64_t Demodulate::callerBytes(const Configuration& configuration) const {
   const Frame& frame = configuration.frame;
-  return materialBytes(configuration) + imageBytes(frame.normalWorld, frame.size) +
+  return materialBytes(frame) + fBetaBytes(configuration) + imageBytes(frame.normalWorld, frame.size) +
          imageBytes(positionView(frame), frame.size) + imageBytes(frame.roughness, frame.size);
 }
 

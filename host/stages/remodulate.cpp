@@ -19,13 +19,13 @@ void Remodulate::enqueue(FrameRun& run) {
   params.material = makeMaterialParams(frame, run.reprojection);
   params.output = makeViewParams(run.output.linear, frame.size);
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer(m_filtered), run.buffer("guides"),
-             frame.radiance, frame.glossyRadiance, frame.emission, frame.albedo, frame.glossColor,
-             frame.roughness, frame.f0, run.configuration.fBetaTable,
+             dividesByFBeta(run.configuration) ? run.buffer("fBeta") : cl::Buffer(), frame.radiance,
+             frame.glossyRadiance, frame.emission, frame.albedo, frame.glossColor,
              m_writePlanes ? run.buffer("linear") : cl::Buffer(), run.output.linear, params);
 }
 
 std::uint64_t Remodulate::callerBytes(const Configuration& configuration) const {
-  return materialBytes(configuration) + imageBytes(configuration.output.linear, configuration.size());
+  return materialBytes(configuration.frame) + imageBytes(configuration.output.linear, configuration.size());
 }
 
 }  // namespace quell

@@ -27,14 +27,17 @@ typedef struct Material {
 } Material;
 
 // The images of one frame, in the order of every kernel's arguments.
-#define MATERIAL_ARGUMENTS                                                       \
-  __global const uchar *radianceData, __global const uchar *glossyRadianceData,  \
-      __global const uchar *emissionData, __global const uchar *albedoData,      \
-      __global const uchar *glossColorData, __global const uchar *roughnessData, \
-      __global const uchar *f0Data, __global const float4 *fBetaTable
-#define LOAD_MATERIAL(params, position, normal, x, y, lanes)                                              \
-  loadMaterial(radianceData, glossyRadianceData, emissionData, albedoData, glossColorData, roughnessData, \
-               f0Data, fBetaTable, params, position, normal, x, y, lanes)
+#define MATERIAL_ARGUMENTS                                                      \
+  __global const uchar *radianceData, __global const uchar *glossyRadianceData, \
+      __global const uchar *emissionData, __global const uchar *albedoData,     \
+      __global const uchar *glossColorData
+#define LOAD_MATERIAL(params, fBeta, x, y, lanes)                                                            \
+  loadMaterial(radianceData, glossyRadianceData, emissionData, albedoData, glossColorData, params, fBeta, x, \
+               y, lanes)
+
+// What F_beta is looked up with. Only the first kernel of a frame does so; fBetaPlanes (3) keep it for the last.
+#define F_BETA_ARGUMENTS \
+  __global const uchar *roughnessData, __global const uchar *f0Data, __global const float4 *fBetaTable
 
 // Roughness in [0, 1] (GGX alpha is its square); 1, the roughness of a diffuse surface, where it is broken.
 QUELL_INLINE floatL loadRoughness(__global const uchar* roughnessData, MaterialParams params, int x, int y,
@@ -47,6 +50,7 @@ QUELL_INLINE floatL loadRoughness(__global const uchar* roughnessData, MaterialP
 #endif
 }
 
+#if DEMODULATE == QUELL_DEMODULATE_F_BETA
 // F_beta of the surface at this camera-relative position; F0 counts as 1 where it is absent.
 QUELL_INLINE float3L loadFBeta(__global const uchar* roughnessData, __global const uchar* f0Data,
                                __global const float4* fBetaTable, MaterialParams params, float3L position,
@@ -64,6 +68,7 @@ QUELL_INLINE float3L loadFBeta(__global const uchar* roughnessData, __global con
   }
   return surfaceFBeta3(fBetaTable, direction, normal, loadRoughness(roughnessData, params, x, y, lanes), f0);
 }
+#endif
 
 #if DEMODULATED
 // a / b per channel; 1 where b vanishes.
@@ -94,8 +99,9 @@ QUELL_INLINE Signal makeSignal(float3L radiance, float3L emission, intL emission
   return signal;
 }
 
-QUELL_INLINE Material loadMaterial(MATERIAL_ARGUMENTS, MaterialParams params, float3L position,
-                                   float3L normal, int x, int y, int lanes) {
+// `fBeta` counts where the configuration divides by it.
+QUELL_INLINE Material loadMaterial(MATERIAL_ARGUMENTS, MaterialParams params, float3L fBeta, int x, int y,
+                                   int lanes) {
   Material material;
   const float3L one = splat3(1.0f);
 #if ALBEDO_FORMAT
@@ -123,11 +129,6 @@ QUELL_INLINE Material loadMaterial(MATERIAL_ARGUMENTS, MaterialParams params, fl
       cleanFactor3(LOAD_PIXELS(GLOSSCOLOR, glossColorData, params.glossColor, x, y, lanes));
 #else
   const float3L glossColor = one;
-#endif
-#if DEMODULATE == QUELL_DEMODULATE_F_BETA
-  const float3L fBeta = loadFBeta(roughnessData, f0Data, fBetaTable, params, position, normal, x, y, lanes);
-#else
-  const float3L fBeta = one;
 #endif
 #endif
 
