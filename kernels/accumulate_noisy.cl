@@ -115,13 +115,9 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
 
   const Surface surface =
       loadSurface(normalData, positionData, params.surface, params.reprojection, x, y, lanes);
-#if DEMODULATE == QUELL_DEMODULATE_F_BETA
   const float3L fBeta = loadFBeta(roughnessData, f0Data, fBetaTable, params.material, surface.position,
                                   surface.normal, x, y, lanes);
-  storeLanes3(fBeta, fBetaPlanes, index, stride);
-#else
-  const float3L fBeta = splat3(1.0f);
-#endif
+  keepFBeta(fBeta, fBetaPlanes, index, stride);
   const Material material = LOAD_MATERIAL(params.material, fBeta, x, y, lanes);
 
   // Background moves like a point at infinity: only TAA uses where it was.

@@ -35,11 +35,7 @@ __kernel void remodulate(__global const float* filtered, __global const float* g
   const int index = planeIndex(planes, x, y);
 
   const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * planes.stride, index, planes.stride);
-#if DEMODULATE == QUELL_DEMODULATE_F_BETA
-  const float3L fBeta = loadLanes3(fBetaPlanes, index, planes.stride);
-#else
-  const float3L fBeta = splat3(1.0f);
-#endif
+  const float3L fBeta = keptFBeta(fBetaPlanes, index, planes.stride);
   const Material material = LOAD_MATERIAL(params.material, fBeta, x, y, lanes);
   const intL surface = dot3(normal, normal) > 0.0f;
   float3L radianceOut = material.emission;

@@ -42,8 +42,7 @@ Schedule makeSchedule(const Configuration& configuration) {
   // Irradiance is not needed any more when the second iteration writes.
   const auto levelAfter = [](int i) { return std::string(i % 2 == 1 ? "filteredOdd" : "irradiance"); };
 
-  std::vector<std::string> filterGuides = {"guides", "viewDepth"};
-  if (configuration.frame.roughness.present()) filterGuides.push_back("roughness");
+  const std::vector<std::string> filterGuides = filterGuideNames(configuration);
   addStage(schedule, std::make_unique<Demodulate>(), {},
            joinedNames(joinedNames({"irradiance"}, filterGuides), addFBeta(schedule, configuration)));
   for (int i = 1; i <= iterations; ++i) {

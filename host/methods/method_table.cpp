@@ -22,6 +22,12 @@ std::vector<std::string> joinedNames(std::vector<std::string> names, const std::
   return names;
 }
 
+std::vector<std::string> filterGuideNames(const Configuration& configuration) {
+  std::vector<std::string> names = {"guides", "viewDepth"};
+  if (configuration.frame.roughness.present()) names.push_back("roughness");
+  return names;
+}
+
 std::vector<std::string> addFBeta(Schedule& schedule, const Configuration& configuration) {
   if (!dividesByFBeta(configuration)) return {};
   schedule.buffers.push_back(transient("fBeta", Element::Float32, 3));

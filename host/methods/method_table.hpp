@@ -18,6 +18,9 @@ BufferSpec elements(const std::string& name, std::size_t count);
 /// `names` and then `more`.
 std::vector<std::string> joinedNames(std::vector<std::string> names, const std::vector<std::string>& more);
 
+/// The buffers that the edge stops of atrous read: guides, viewDepth and, where the caller has it, roughness.
+std::vector<std::string> filterGuideNames(const Configuration& configuration);
+
 /// Adds the buffer that keeps F_beta from the first stage to remodulate, where light is divided by it; its name, or
 /// none.
 std::vector<std::string> addFBeta(Schedule& schedule, const Configuration& configuration);

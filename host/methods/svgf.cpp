@@ -112,8 +112,7 @@ Schedule makeSchedule(const Configuration& configuration) {
   };
   if (fedBack) schedule.buffers.push_back(history("fedBack", f32, 3 * signals));
 
-  std::vector<std::string> filterGuides = {"guides", "viewDepth"};
-  if (configuration.frame.roughness.present()) filterGuides.push_back("roughness");
+  const std::vector<std::string> filterGuides = filterGuideNames(configuration);
   addStage(
       schedule,
       std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{

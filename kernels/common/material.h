@@ -10,6 +10,7 @@
 #include "common/demodulation.h"
 #include "common/f_beta.h"
 #include "common/material_params.h"
+#include "common/planes.h"
 
 #define QUELL_DEMODULATE_ALBEDO 1
 #define QUELL_DEMODULATE_F_BETA 2
@@ -50,11 +51,11 @@ QUELL_INLINE floatL loadRoughness(__global const uchar* roughnessData, MaterialP
 #endif
 }
 
+// F_beta of the surface at this camera-relative position, 1 where light is not divided by it; F0 counts as 1 where it
+// is absent.
+QUELL_INLINE float3L loadFBeta(F_BETA_ARGUMENTS, MaterialParams params, float3L position, float3L normal,
+                               int x, int y, int lanes) {
 #if DEMODULATE == QUELL_DEMODULATE_F_BETA
-// F_beta of the surface at this camera-relative position; F0 counts as 1 where it is absent.
-QUELL_INLINE float3L loadFBeta(__global const uchar* roughnessData, __global const uchar* f0Data,
-                               __global const float4* fBetaTable, MaterialParams params, float3L position,
-                               float3L normal, int x, int y, int lanes) {
 #if F0_FORMAT
   const float3L f0 = clamp3(cleanFactor3(LOAD_PIXELS(F0, f0Data, params.f0, x, y, lanes)), 0.0f, 1.0f);
 #else
@@ -67,8 +68,24 @@ QUELL_INLINE float3L loadFBeta(__global const uchar* roughnessData, __global con
     direction.z = (floatL)(params.viewAxis.z);
   }
   return surfaceFBeta3(fBetaTable, direction, normal, loadRoughness(roughnessData, params, x, y, lanes), f0);
-}
+#else
+  return splat3(1.0f);
 #endif
+}
+
+QUELL_INLINE void keepFBeta(float3L fBeta, __global float* fBetaPlanes, int index, int stride) {
+#if DEMODULATE == QUELL_DEMODULATE_F_BETA
+  storeLanes3(fBeta, fBetaPlanes, index, stride);
+#endif
+}
+
+QUELL_INLINE float3L keptFBeta(__global const float* fBetaPlanes, int index, int stride) {
+#if DEMODULATE == QUELL_DEMODULATE_F_BETA
+  return loadLanes3(fBetaPlanes, index, stride);
+#else
+  return splat3(1.0f);
+#endif
+}
 
 #if DEMODULATED
 // a / b per channel; 1 where b vanishes.
