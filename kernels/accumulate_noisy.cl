@@ -22,6 +22,7 @@
 #include "common/luminance.h"
 #include "common/motion_images.h"
 #include "common/surface_images.h"
+#include "common/tiles.h"
 
 typedef struct History {
   float3L irradiance;
@@ -105,6 +106,36 @@ QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisy
   return (sample.present || hasHistory) ? (sample.present ? sample.weight : ONE_LANES) : ZERO_LANES;
 }
 
+#if SKIP
+// What others must find in pixels without a surface: nothing to filter, no history; see common/tiles.h. Where the
+// background was matters to temporal_antialiasing alone, and to it only if rays are jittered.
+QUELL_INLINE void storeBackground(AccumulateNoisyParams params, __global const uchar* motionData, int x,
+                                  int y, int lanes, __global float* guides, __global uchar* historyLength,
+                                  __global float* pixelPrev, __global uchar* reprojectionMask,
+                                  __global float* viewDepth) {
+  const int stride = params.planes.stride;
+  const int index = planeIndex(params.planes, x, y);
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    storeLanes(ZERO_LANES, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
+    storeByteLanes((intL)(0), historyLength + s * stride + index);
+  }
+#if FILTER_GUIDES
+  storeLanes((floatL)(params.reprojection.viewDepth.w), viewDepth + index);
+#endif
+  if (params.jitters == 0) return;
+  Surface none;
+  none.position = splat3(0.0f);
+  none.normal = none.position;
+  none.valid = none.position.x != 0.0f;
+  floatL xPrev, yPrev;
+  const intL inside = findPrevious(params.reprojection, motionData, params.motion, params.planes, none, x, y,
+                                   lanes, &xPrev, &yPrev);
+  storeLanes(xPrev, pixelPrev + index);
+  storeLanes(yPrev, pixelPrev + index + stride);
+  storeByteLanes(inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0), reprojectionMask + index);
+}
+#endif
+
 __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARGUMENTS, MOTION_ARGUMENTS,
                                __global const float* irradiancePrev, __global const uchar* historyLengthPrev,
                                __global const float* guidesPrev, __global const float* momentsPrev,
@@ -114,7 +145,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
                                __global uchar* reprojectionMask, __global float* viewDepth,
                                __global float* roughness, __global float* fBetaPlanes,
                                __global float* newestIrradiance, __global float* innovation,
-                               AccumulateNoisyParams params) {
+                               __global uchar* surfaces, AccumulateNoisyParams params) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
   const int x = (int)get_global_id(0) * QUELL_LANES;
@@ -123,6 +154,15 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
   const int lanes = min(QUELL_LANES, planes.width - x);
   const int index = planeIndex(planes, x, y);
 
+#if SKIP
+  const int hasSurface = anyLane(hasNormal(normalData, params.surface, x, y, lanes));
+  surfaces[surfaceIndex(planes, x, y)] = (uchar)(hasSurface ? 1 : 0);
+  if (!hasSurface) {
+    storeBackground(params, motionData, x, y, lanes, guides, historyLength, pixelPrev, reprojectionMask,
+                    viewDepth);
+    return;
+  }
+#endif
   const Surface surface =
       loadSurface(normalData, positionData, params.surface, params.reprojection, x, y, lanes);
   const float3L fBeta = loadFBeta(roughnessData, f0Data, fBetaTable, params.material, surface.position,

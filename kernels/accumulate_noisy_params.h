@@ -17,7 +17,8 @@ typedef struct AccumulateNoisyParams {
   MaterialParams material;
   SurfaceParams surface;
   MotionParams motion;
-  QuellFloat leastWeight;         // least weight of the newest sample, (0, 1]
+  QuellFloat leastWeight;  // least weight of the newest sample, (0, 1]
+  QuellInt jitters;  // whether this frame or the one before is sampled off the pixel centres; only with SKIP
   QuellFloat momentsLeastWeight;  // the same for the moments of luminance
 } AccumulateNoisyParams;
 

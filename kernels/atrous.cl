@@ -14,6 +14,7 @@
 #include "atrous_params.h"
 #include "common/edge_stops.h"
 #include "common/luminance.h"
+#include "common/tiles.h"
 
 #if TAP_RADIUS == 2
 // B3 spline: 3/8, 1/4, 1/16 for taps 0, 1 and 2 away.
@@ -135,16 +136,53 @@ QUELL_INLINE floatL sharpening(floatL roughness, AtrousParams params) {
 }
 #endif
 
+#if SKIP
+// In a tile that needs no more iterations: hands on what it holds until both of the buffers that iterations write by
+// turns have it.
+QUELL_INLINE void keepTile(FilterPlanes from, __global float* irradianceOut, __global float* varianceOut,
+                           AtrousParams params, int index, int level) {
+  if (params.iteration != level + 1) return;
+  const int stride = params.planes.stride;
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    storeLanes3(loadLanes3(from.irradiance + 3 * s * stride, index, stride), irradianceOut + 3 * s * stride,
+                index, stride);
+    storeLanes(loadLanes(from.variance + s * stride + index), varianceOut + s * stride + index);
+  }
+}
+
+// Background has nothing to hand on but a variance of 0, in both buffers, which taps nearby prefilter.
+QUELL_INLINE void keepBackground(__global float* varianceOut, __global const uchar* surfaces,
+                                 AtrousParams params, int x, int y) {
+  if (params.iteration > 2 || !isNearSurface(surfaces, params.planes, x, y)) return;
+  const int index = planeIndex(params.planes, x, y);
+  for (int s = 0; s < QUELL_SIGNALS; ++s)
+    storeLanes(ZERO_LANES, varianceOut + s * params.planes.stride + index);
+}
+#endif
+
 __kernel void atrous(__global const float* irradiance, __global const float* variance,
                      __global const float* guides, __global const float* viewDepth,
                      __global const float* roughness, __global float* irradianceOut,
-                     __global float* varianceOut, AtrousParams params) {
+                     __global float* varianceOut, __global const uchar* surfaces,
+                     __global const uchar* tileLevels, AtrousParams params) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
   if (x >= planes.width || y >= planes.height) return;
   const int index = planeIndex(planes, x, y);
+  const FilterPlanes from = {irradiance, variance, guides, viewDepth, roughness};
+#if SKIP
+  if (isBackground(surfaces, planes, x, y)) {
+    keepBackground(varianceOut, surfaces, params, x, y);
+    return;
+  }
+  const int level = tileLevel(tileLevels, planes, x, y);
+  if (level < params.iteration) {
+    keepTile(from, irradianceOut, varianceOut, params, index, level);
+    return;
+  }
+#endif
   const int reach = TAP_RADIUS * params.step;
   const int atBorder =
       x < reach || y < reach || x + QUELL_LANES + reach > planes.width || y + reach >= planes.height;
@@ -171,7 +209,6 @@ __kernel void atrous(__global const float* irradiance, __global const float* var
     sums[s].weight = ZERO_LANES;
     sums[s] = addFiltered(sums[s], value, ownVariance, splineWeight(0) * splineWeight(0) * weight);
   }
-  const FilterPlanes from = {irradiance, variance, guides, viewDepth, roughness};
   if (atBorder) {
     for (int tapY = -TAP_RADIUS; tapY <= TAP_RADIUS; ++tapY)
       addTapRow(sums, centre, from, params, x, y, tapY, 1);

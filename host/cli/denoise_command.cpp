@@ -39,6 +39,8 @@ struct DenoiseOptions {
   DeviceArguments device;
   int analyticFrames = 16;
   int signals = 1;
+  double skyShare = 0.0;
+  bool stillCamera = false;
   bool png = false;
   bool exr = false;
   bool copyBandwidth = false;
@@ -52,6 +54,8 @@ std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
   analytic.width = size.width;
   analytic.height = size.height;
   analytic.frameCount = options.analyticFrames;
+  analytic.skyShare = options.skyShare;
+  analytic.movingCamera = !options.stillCamera;
   return io::makeAnalyticSequence(analytic);
 }
 
@@ -151,6 +155,10 @@ void addDenoiseCommand(CLI::App& app) {
   command->add_option("--frame-count", options->analyticFrames, "Length of the built-in sequence")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command->add_option("--sky-share", options->skyShare, "Share of the built-in sequence's rows that show sky")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_flag("--still-camera", options->stillCamera, "The camera of the built-in sequence stands still");
   command->add_option("--taa", options->taa, "Temporal antialiasing of the display image")
       ->check(CLI::IsMember({"on", "off"}));
   command->add_option("--signals", options->signals, "1, or 2: diffuse and glossy light side by side")

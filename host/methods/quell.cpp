@@ -7,6 +7,7 @@
 #include "host/stages/atrous.hpp"
 #include "host/stages/change_sums.hpp"
 #include "host/stages/change_weight.hpp"
+#include "host/stages/classify.hpp"
 #include "host/stages/follow_change.hpp"
 #include "host/stages/variance.hpp"
 
@@ -45,6 +46,21 @@ SettingList accumulationSettings() {
            "history length from which on the variance over time is trusted",
            kSweep,
            {}}};
+}
+
+SettingList skipSettings() {
+  return {
+      {"skip", Kind::Boolean, 1.0, 0.0, 1.0, "", "leave out what a tile of the image does not need", "", {}},
+      {"skipTolerance",
+       Kind::Real,
+       0.001,
+       0.0,
+       1.0,
+       "display-encoded values",
+       "noise (standard deviation) below which a tile is not filtered any further; 0: only background is "
+       "left out",
+       kSweep,
+       {}}};
 }
 
 SettingList changeSettings() {
@@ -132,9 +148,17 @@ ChangeDetection changeDetection(const Settings& s) {
 
 bool followsChange(const Settings& s) { return s.get("mostWeight") > s.get("irradianceLeastWeight"); }
 
+// Work-items of a per-pixel kernel.
+std::size_t surfaceCount(const Configuration& configuration) {
+  const int lanes = configuration.device.lanes;
+  const Size size = configuration.size();
+  return static_cast<std::size_t>((size.width + lanes - 1) / lanes) * static_cast<std::size_t>(size.height);
+}
+
 std::vector<BufferSpec> buffers(const Configuration& configuration) {
   const int signals = signalCount(configuration.frame);
   const std::size_t tiles = changeTileCount(configuration.size(), signals);
+  const std::array<int, 2> grid = tileGrid(configuration.size());
   const auto f32 = Element::Float32;
   return {
       history("irradiance", f32, 3 * signals),
@@ -150,11 +174,19 @@ std::vector<BufferSpec> buffers(const Configuration& configuration) {
       {"changeSums", f32, 0, tiles * QUELL_CHANGE_RECORD, true},
       elements("changeWeights", tiles),
       transient("variance", f32, signals),
+      {"tileLevels", Element::UInt8, 0, static_cast<std::size_t>(grid[0]) * static_cast<std::size_t>(grid[1]),
+       false},
+      {"surfaces", Element::UInt8, 0, surfaceCount(configuration), false},
       transient("filteredOdd", f32, 3 * signals),
       transient("varianceOdd", f32, signals),
       transient("filteredEven", f32, 3 * signals),
       transient("varianceEven", f32, signals),
   };
+}
+
+// What accumulate_noisy finds out for stages that leave out background.
+std::vector<std::string> surfaceNames(const Settings& s) {
+  return s.isOn("skip") ? std::vector<std::string>{"surfaces"} : std::vector<std::string>{};
 }
 
 void addAccumulation(Schedule& schedule, const Configuration& configuration) {
@@ -164,12 +196,13 @@ void addAccumulation(Schedule& schedule, const Configuration& configuration) {
   std::vector<std::string> writes = joinedNames(accumulated, {"pixelPrev", "reprojectionMask"});
   if (change) writes = joinedNames(writes, {"newestIrradiance", "innovation"});
   const std::vector<std::string> objectIds = addObjectIds(schedule, configuration);
-  writes = joinedNames(writes, objectIds);
+  writes = joinedNames(joinedNames(writes, objectIds), surfaceNames(s));
   writes =
       joinedNames(joinedNames(writes, filterGuideNames(configuration)), addFBeta(schedule, configuration));
   addStage(schedule,
-           std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{
-               s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"), "irradiance.prev", true, change}),
+           std::make_unique<AccumulateNoisy>(
+               AccumulateNoisy::Setup{s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"),
+                                      "irradiance.prev", true, s.isOn("skip"), change}),
            joinedNames({"irradiance.prev", "historyLength.prev", "guides.prev", "moments.prev"},
                        previousNames(objectIds)),
            writes);
@@ -178,28 +211,46 @@ void addAccumulation(Schedule& schedule, const Configuration& configuration) {
   addStage(schedule, std::make_unique<ChangeSums>(detection),
            {"innovation", "historyLength", "changeSums.prev"}, {"changeSums"});
   addStage(schedule, std::make_unique<ChangeWeight>(detection), {"changeSums"}, {"changeWeights"});
-  addStage(schedule, std::make_unique<FollowChange>(detection),
-           joinedNames({"changeWeights", "newestIrradiance"}, accumulated), accumulated);
+  addStage(schedule, std::make_unique<FollowChange>(detection, s.isOn("skip")),
+           joinedNames(joinedNames({"changeWeights", "newestIrradiance"}, accumulated), surfaceNames(s)),
+           accumulated);
+}
+
+void addVariance(Schedule& schedule, const Settings& s) {
+  const bool skip = s.isOn("skip");
+  addStage(schedule,
+           std::make_unique<Variance>(Variance::Setup{edgeStops(s),
+                                                      static_cast<int>(s.get("temporalVarianceFrames")), skip,
+                                                      s.get("irradianceLeastWeight")}),
+           joinedNames({"moments", "historyLength", "guides", "viewDepth"}, surfaceNames(s)), {"variance"});
+  if (!skip) return;
+  addStage(schedule,
+           std::make_unique<Classify>(static_cast<int>(s.get("iterations")), s.get("skipTolerance")),
+           {"variance", "moments"}, {"tileLevels"});
 }
 
 void addFilter(Schedule& schedule, const Configuration& configuration) {
   const Settings& s = configuration.settings;
-  const EdgeStops stops = edgeStops(s);
-  const std::vector<std::string> filterGuides = filterGuideNames(configuration);
-  addStage(schedule,
-           std::make_unique<Variance>(Variance::Setup{
-               stops, static_cast<int>(s.get("temporalVarianceFrames")), s.get("irradianceLeastWeight")}),
-           {"moments", "historyLength", "guides", "viewDepth"}, {"variance"});
+  std::vector<std::string> guides = filterGuideNames(configuration);
+  Atrous::Setup setup;
+  setup.stops = edgeStops(s);
+  setup.luminanceSigma = s.get("luminanceSigma");
+  setup.sharpRoughness = s.get("sharpRoughness");
+  setup.skip = s.isOn("skip");
+  if (setup.skip) guides = joinedNames(guides, {"surfaces", "tileLevels"});
   for (int i = 1; i <= static_cast<int>(s.get("iterations")); ++i) {
     const Level in = levelAfter(i - 1);
     const Level out = levelAfter(i);
+    setup.iteration = i;
+    setup.step = 1 << (i - 1);
     // All taps where they are near: it lowers the error of every scene, more than in any later iteration.
-    const int radius = i == 1 ? 2 : 1;
-    addStage(schedule,
-             std::make_unique<Atrous>(Atrous::Setup{stops, s.get("luminanceSigma"), 1 << (i - 1),
-                                                    in.irradiance, out.irradiance, in.variance, out.variance,
-                                                    radius, s.get("sharpRoughness")}),
-             joinedNames({in.irradiance, in.variance}, filterGuides), {out.irradiance, out.variance});
+    setup.radius = i == 1 ? 2 : 1;
+    setup.input = in.irradiance;
+    setup.output = out.irradiance;
+    setup.variance = in.variance;
+    setup.varianceOut = out.variance;
+    addStage(schedule, std::make_unique<Atrous>(setup), joinedNames({in.irradiance, in.variance}, guides),
+             {out.irradiance, out.variance});
   }
 }
 
@@ -208,9 +259,10 @@ Schedule makeSchedule(const Configuration& configuration) {
   Schedule schedule;
   schedule.buffers = buffers(configuration);
   addAccumulation(schedule, configuration);
+  addVariance(schedule, s);
   addFilter(schedule, configuration);
   addOutputStages(schedule, configuration, levelAfter(static_cast<int>(s.get("iterations"))).irradiance,
-                  s.isOn("taa"));
+                  s.isOn("taa"), s.isOn("skip"));
   return schedule;
 }
 
@@ -218,8 +270,8 @@ Schedule makeSchedule(const Configuration& configuration) {
 
 Method quellMethod() {
   return {"quell", "history that follows changes of light, then a filter guided by its variance",
-          joined({accumulationSettings(), changeSettings(), filterSettings(), demodulationSettings(),
-                  discardSettings(), antialiasingSettings()}),
+          joined({accumulationSettings(), changeSettings(), filterSettings(), skipSettings(),
+                  demodulationSettings(), discardSettings(), antialiasingSettings()}),
           makeSchedule, discardLimits};
 }
 

@@ -6,9 +6,9 @@ namespace quell {
 
 void Variance::build(const KernelBuilder& builder) {
   const int signals = signalCount(builder.configuration().frame);
-  m_kernel =
-      builder.build("variance", "-D QUELL_SIGNALS=" + std::to_string(signals) + " -D ROUGHNESS_FORMAT=0" +
-                                    " -D OF_MEAN=" + (m_setup.leastWeight > 0.0 ? "1" : "0"));
+  m_kernel = builder.build(
+      "variance", "-D QUELL_SIGNALS=" + std::to_string(signals) + " -D ROUGHNESS_FORMAT=0" +
+                      " -D OF_MEAN=" + (m_setup.leastWeight > 0.0 ? "1" : "0") + skipOption(m_setup.skip));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
@@ -20,7 +20,8 @@ void Variance::enqueue(FrameRun& run) {
   // Samples that an exponential mean is worth: (2 - weight) / weight.
   if (m_setup.leastWeight > 0.0) params.mostSamples = static_cast<float>(2.0 / m_setup.leastWeight - 1.0);
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("moments"), run.buffer("historyLength"),
-             run.buffer("guides"), run.buffer("viewDepth"), run.buffer("variance"), params);
+             run.buffer("guides"), run.buffer("viewDepth"), run.buffer("variance"),
+             m_setup.skip ? run.buffer("surfaces") : cl::Buffer(), params);
 }
 
 }  // namespace quell
