@@ -18,6 +18,8 @@ struct AccumulateNoisyVariant {
   /// As the method svgf has it: moments, view depth and, where the caller has it, roughness are written.
   bool filterGuides = false;
   bool roughness = false;  ///< whether the caller has it
+  /// As the method quell has it: with filterGuides, also the newest sample and how far it is from its history.
+  bool innovation = false;
 
   FrameVariant images() const { return {material, viewDepth, roughness}; }
 };
