@@ -19,13 +19,14 @@ double weightAt(const FollowChangeInputs& inputs, int signal, int x, int y) {
     return std::clamp((pixel + 0.5) / QUELL_CHANGE_TILE - 0.5, 0.0, double(tiles - 1));
   };
   const double u = clamped(x, grid.columns), v = clamped(y, grid.rows);
-  double sum = 0.0;
-  forEachPixel({grid.columns, grid.rows}, [&](int column, int row) {
-    const double share = std::max(1.0 - std::abs(u - column), 0.0) * std::max(1.0 - std::abs(v - row), 0.0);
-    const int tile = signal * grid.count() + row * grid.columns + column;
-    if (share > 0.0) sum += share * inputs.weights.values[std::size_t(tile)];
-  });
-  return sum;
+  const auto tile = [&](int column, int row) {
+    const int i = std::min(row, grid.rows - 1) * grid.columns + std::min(column, grid.columns - 1);
+    return double(inputs.weights.values[std::size_t(signal * grid.count() + i)]);
+  };
+  const int column = int(u), row = int(v);
+  const double right = u - column, below = v - row;
+  return (1.0 - below) * ((1.0 - right) * tile(column, row) + right * tile(column + 1, row)) +
+         below * ((1.0 - right) * tile(column, row + 1) + right * tile(column + 1, row + 1));
 }
 
 // What a blend of history and newest value would be with another weight of the latter.

@@ -158,9 +158,15 @@ TEST_CASE("variance is finite and not negative for the most extreme moments, dep
 }
 
 TEST_CASE("variance of the mean agrees with its oracle") {
-  checkSizes([](const CaseOptions& options) {
-    return std::make_unique<VarianceCase>(options, 2, VarianceOf::Mean);
-  });
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    for (const Size size : {Size{1, 1}, Size{7, 93}, Size{33, 31}}) {
+      CaseOptions options;
+      options.size = size;
+      options.mapping = mapping;
+      VarianceCase ofMean(options, 2, VarianceOf::Mean);
+      checkAgreement(ofMean, options);
+    }
+  }
 }
 
 TEST_CASE("variance of the mean is that of the samples over their number, up to what the mean is worth") {
