@@ -177,13 +177,16 @@ __kernel void atrous(__global const float* irradiance, __global const float* var
       addTapRow(sums, centre, from, params, x, y, tapY, 1);
   } else {
     // Written out: every weight and offset of a tap is then a constant.
+    // In the order of the border, so that sums do not depend on where a group of lanes ends.
 #if TAP_RADIUS == 2
     addTapRow(sums, centre, from, params, x, y, -2, 0);
-    addTapRow(sums, centre, from, params, x, y, 2, 0);
 #endif
     addTapRow(sums, centre, from, params, x, y, -1, 0);
     addTapRow(sums, centre, from, params, x, y, 0, 0);
     addTapRow(sums, centre, from, params, x, y, 1, 0);
+#if TAP_RADIUS == 2
+    addTapRow(sums, centre, from, params, x, y, 2, 0);
+#endif
   }
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL inverse = sums[s].weight > 0.0f ? 1.0f / sums[s].weight : ZERO_LANES;
