@@ -22,7 +22,7 @@
 #include "common/luminance.h"
 #include "common/motion_images.h"
 #include "common/surface_images.h"
-#include "common/tiles.h"
+#include "common/surfaces.h"
 
 typedef struct History {
   float3L irradiance;
@@ -107,7 +107,7 @@ QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisy
 }
 
 #if SKIP
-// What others must find in pixels without a surface: nothing to filter, no history; see common/tiles.h. Where the
+// What others must find in pixels without a surface: nothing to filter, no history; see common/surfaces.h. Where the
 // background was matters to temporal_antialiasing alone, and to it only if rays are jittered.
 QUELL_INLINE void storeBackground(AccumulateNoisyParams params, __global const uchar* motionData, int x,
                                   int y, int lanes, __global float* guides, __global uchar* historyLength,

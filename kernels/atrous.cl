@@ -14,7 +14,7 @@
 #include "atrous_params.h"
 #include "common/edge_stops.h"
 #include "common/luminance.h"
-#include "common/tiles.h"
+#include "common/surfaces.h"
 
 #if TAP_RADIUS == 2
 // B3 spline: 3/8, 1/4, 1/16 for taps 0, 1 and 2 away.
@@ -137,20 +137,8 @@ QUELL_INLINE floatL sharpening(floatL roughness, AtrousParams params) {
 #endif
 
 #if SKIP
-// In a tile that needs no more iterations: hands on what it holds until both of the buffers that iterations write by
-// turns have it.
-QUELL_INLINE void keepTile(FilterPlanes from, __global float* irradianceOut, __global float* varianceOut,
-                           AtrousParams params, int index, int level) {
-  if (params.iteration != level + 1) return;
-  const int stride = params.planes.stride;
-  for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    storeLanes3(loadLanes3(from.irradiance + 3 * s * stride, index, stride), irradianceOut + 3 * s * stride,
-                index, stride);
-    storeLanes(loadLanes(from.variance + s * stride + index), varianceOut + s * stride + index);
-  }
-}
-
-// Background has nothing to hand on but a variance of 0, in both buffers, which taps nearby prefilter.
+// Background has nothing to filter; only the variance next to surfaces, whose prefilter reads it, must be 0, in both of
+// the buffers that iterations write by turns.
 QUELL_INLINE void keepBackground(__global float* varianceOut, __global const uchar* surfaces,
                                  AtrousParams params, int x, int y) {
   if (params.iteration > 2 || !isNearSurface(surfaces, params.planes, x, y)) return;
@@ -163,8 +151,7 @@ QUELL_INLINE void keepBackground(__global float* varianceOut, __global const uch
 __kernel void atrous(__global const float* irradiance, __global const float* variance,
                      __global const float* guides, __global const float* viewDepth,
                      __global const float* roughness, __global float* irradianceOut,
-                     __global float* varianceOut, __global const uchar* surfaces,
-                     __global const uchar* tileLevels, AtrousParams params) {
+                     __global float* varianceOut, __global const uchar* surfaces, AtrousParams params) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
   const int x = (int)get_global_id(0) * QUELL_LANES;
@@ -175,11 +162,6 @@ __kernel void atrous(__global const float* irradiance, __global const float* var
 #if SKIP
   if (isBackground(surfaces, planes, x, y)) {
     keepBackground(varianceOut, surfaces, params, x, y);
-    return;
-  }
-  const int level = tileLevel(tileLevels, planes, x, y);
-  if (level < params.iteration) {
-    keepTile(from, irradianceOut, varianceOut, params, index, level);
     return;
   }
 #endif
@@ -214,13 +196,16 @@ __kernel void atrous(__global const float* irradiance, __global const float* var
       addTapRow(sums, centre, from, params, x, y, tapY, 1);
   } else {
     // Written out: every weight and offset of a tap is then a constant.
+    // In the order of the border, so that sums do not depend on where a group of lanes ends.
 #if TAP_RADIUS == 2
     addTapRow(sums, centre, from, params, x, y, -2, 0);
-    addTapRow(sums, centre, from, params, x, y, 2, 0);
 #endif
     addTapRow(sums, centre, from, params, x, y, -1, 0);
     addTapRow(sums, centre, from, params, x, y, 0, 0);
     addTapRow(sums, centre, from, params, x, y, 1, 0);
+#if TAP_RADIUS == 2
+    addTapRow(sums, centre, from, params, x, y, 2, 0);
+#endif
   }
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL inverse = sums[s].weight > 0.0f ? 1.0f / sums[s].weight : ZERO_LANES;

@@ -2,13 +2,13 @@
 //          so that remodulate, tone_map and temporal_antialiasing can leave them out.
 // Source:  ours; radiance and encoding are those of remodulate and tone_map. Without sub-pixel jitter the background is
 //          met in the same way in every frame and needs no antialiasing over time.
-// In:      the caller's radiance (or diffuse and glossy radiance) and emission, surfaces (see common/tiles.h).
+// In:      the caller's radiance (or diffuse and glossy radiance) and emission, surfaces (see common/surfaces.h).
 // Out:     linear radiance in the caller's layout, display-encoded radiance as 3 planes (next to surfaces, which
 //          bound their history with it), as history of temporal_antialiasing (3 planes) and in the caller's layout.
 #include "background_params.h"
 #include "common/display_encoding.h"
 #include "common/material.h"
-#include "common/tiles.h"
+#include "common/surfaces.h"
 
 // Radiance of the background: as it is, emission included; where it is broken, what remains of it.
 QUELL_INLINE float3L backgroundRadiance(MATERIAL_ARGUMENTS, MaterialParams params, int x, int y, int lanes) {

@@ -10,7 +10,7 @@
 #include "common/guides.h"
 #include "common/luminance.h"
 #include "common/planes.h"
-#include "common/tiles.h"
+#include "common/surfaces.h"
 
 // Tiles around each pixel, and where it lies between their centres.
 typedef struct TileMix {
@@ -89,7 +89,9 @@ __kernel void follow_change(__global const float* weights, __global const float*
     const intL frames = loadByteLanes(length);
     const floatL cumulative = 1.0f / TO_FLOAT(maxLanesInt(frames, (intL)(1)));
     const floatL given = maxLanes(cumulative, (floatL)(params.leastWeight));
-    const floatL share = shareFor(wanted, given);
+    const intL changed = wanted > given;
+    if (!anyLane(changed)) continue;
+    const floatL share = changed ? shareFor(wanted, given) : ZERO_LANES;
     const float3L newest = loadLanes3(newestIrradiance + 3 * s * stride, index, stride);
     float3L blended = loadLanes3(irradiance + 3 * s * stride, index, stride);
     blended.x = towards(blended.x, newest.x, share);
@@ -97,13 +99,13 @@ __kernel void follow_change(__global const float* weights, __global const float*
     blended.z = towards(blended.z, newest.z, share);
     storeLanes3(blended, irradiance + 3 * s * stride, index, stride);
 
-    const floatL momentsShare = shareFor(wanted, maxLanes(cumulative, (floatL)(params.momentsLeastWeight)));
+    const floatL momentsGiven = maxLanes(cumulative, (floatL)(params.momentsLeastWeight));
+    const floatL momentsShare = changed ? shareFor(wanted, momentsGiven) : ZERO_LANES;
     const floatL newestLuminance = luminance(newest);
     __global float* first = moments + (QUELL_MOMENT_PLANES * s + QUELL_MOMENT_FIRST) * stride + index;
     __global float* second = moments + (QUELL_MOMENT_PLANES * s + QUELL_MOMENT_SECOND) * stride + index;
     storeLanes(towards(loadLanes(first), newestLuminance, momentsShare), first);
     storeLanes(towards(loadLanes(second), newestLuminance * newestLuminance, momentsShare), second);
-    const intL worth = floorLanes(1.0f / maxLanes(wanted, given) + 0.5f);
-    storeByteLanes(minLanesInt(frames, worth), length);
+    storeByteLanes(changed ? floorLanes(1.0f / maxLanes(wanted, given) + 0.5f) : frames, length);
   }
 }

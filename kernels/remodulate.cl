@@ -8,7 +8,7 @@
 #include "common/guides.h"
 #include "common/material.h"
 #include "common/planes.h"
-#include "common/tiles.h"
+#include "common/surfaces.h"
 #include "remodulate_params.h"
 
 QUELL_INLINE floatL blendChannel(floatL share, floatL factor, floatL filtered, floatL signal) {

@@ -8,7 +8,7 @@
 // Departures: a pixel that was outside the frame before keeps the newest colour (the reference divides 0 by 0 there).
 #include "accumulate_noisy_params.h"
 #include "common/reprojection.h"
-#include "common/tiles.h"
+#include "common/surfaces.h"
 #include "temporal_antialiasing_params.h"
 
 // RGB to YCoCg with gains of 4 left in; the inverse takes them out.

@@ -5,7 +5,7 @@
 #include "common/display_encoding.h"
 #include "common/image_access.h"
 #include "common/planes.h"
-#include "common/tiles.h"
+#include "common/surfaces.h"
 #include "tone_map_params.h"
 
 __kernel void tone_map(__global const float* linearPlanes, __global float* encodedPlanes,

@@ -8,7 +8,7 @@
 // Border:  taps outside the image are left out.
 // Departures: the spatial estimate is raised by temporalFrames / history length: the moments of one frame know less.
 #include "common/edge_stops.h"
-#include "common/tiles.h"
+#include "common/surfaces.h"
 #include "variance_params.h"
 
 typedef struct MomentSums {

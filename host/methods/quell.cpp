@@ -7,7 +7,6 @@
 #include "host/stages/atrous.hpp"
 #include "host/stages/change_sums.hpp"
 #include "host/stages/change_weight.hpp"
-#include "host/stages/classify.hpp"
 #include "host/stages/follow_change.hpp"
 #include "host/stages/variance.hpp"
 
@@ -49,18 +48,15 @@ SettingList accumulationSettings() {
 }
 
 SettingList skipSettings() {
-  return {
-      {"skip", Kind::Boolean, 1.0, 0.0, 1.0, "", "leave out what a tile of the image does not need", "", {}},
-      {"skipTolerance",
-       Kind::Real,
-       0.001,
-       0.0,
-       1.0,
-       "display-encoded values",
-       "noise (standard deviation) below which a tile is not filtered any further; 0: only background is "
-       "left out",
-       kSweep,
-       {}}};
+  return {{"skip",
+           Kind::Boolean,
+           1.0,
+           0.0,
+           1.0,
+           "",
+           "leave out background, from accumulation to antialiasing",
+           "",
+           {}}};
 }
 
 SettingList changeSettings() {
@@ -158,7 +154,6 @@ std::size_t surfaceCount(const Configuration& configuration) {
 std::vector<BufferSpec> buffers(const Configuration& configuration) {
   const int signals = signalCount(configuration.frame);
   const std::size_t tiles = changeTileCount(configuration.size(), signals);
-  const std::array<int, 2> grid = tileGrid(configuration.size());
   const auto f32 = Element::Float32;
   return {
       history("irradiance", f32, 3 * signals),
@@ -174,8 +169,6 @@ std::vector<BufferSpec> buffers(const Configuration& configuration) {
       {"changeSums", f32, 0, tiles * QUELL_CHANGE_RECORD, true},
       elements("changeWeights", tiles),
       transient("variance", f32, signals),
-      {"tileLevels", Element::UInt8, 0, static_cast<std::size_t>(grid[0]) * static_cast<std::size_t>(grid[1]),
-       false},
       {"surfaces", Element::UInt8, 0, surfaceCount(configuration), false},
       transient("filteredOdd", f32, 3 * signals),
       transient("varianceOdd", f32, signals),
@@ -223,10 +216,6 @@ void addVariance(Schedule& schedule, const Settings& s) {
                                                       static_cast<int>(s.get("temporalVarianceFrames")), skip,
                                                       s.get("irradianceLeastWeight")}),
            joinedNames({"moments", "historyLength", "guides", "viewDepth"}, surfaceNames(s)), {"variance"});
-  if (!skip) return;
-  addStage(schedule,
-           std::make_unique<Classify>(static_cast<int>(s.get("iterations")), s.get("skipTolerance")),
-           {"variance", "moments"}, {"tileLevels"});
 }
 
 void addFilter(Schedule& schedule, const Configuration& configuration) {
@@ -237,7 +226,7 @@ void addFilter(Schedule& schedule, const Configuration& configuration) {
   setup.luminanceSigma = s.get("luminanceSigma");
   setup.sharpRoughness = s.get("sharpRoughness");
   setup.skip = s.isOn("skip");
-  if (setup.skip) guides = joinedNames(guides, {"surfaces", "tileLevels"});
+  if (setup.skip) guides = joinedNames(guides, {"surfaces"});
   for (int i = 1; i <= static_cast<int>(s.get("iterations")); ++i) {
     const Level in = levelAfter(i - 1);
     const Level out = levelAfter(i);

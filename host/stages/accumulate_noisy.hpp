@@ -14,7 +14,7 @@ class AccumulateNoisy : public Stage {
     double momentsLeastWeight = 0.0;                 ///< the same for the moments; 0: no moments
     std::string irradiancePrev = "irradiance.prev";  ///< the buffer that the history comes from
     bool filterGuides = false;                       ///< view depth and roughness for edge stops
-    bool skip = false;                               ///< leaves out background; see kernels/common/tiles.h
+    bool skip = false;                               ///< leaves out background; see kernels/common/surfaces.h
     bool innovation = false;                         ///< newest sample and its difference to the history
   };
   explicit AccumulateNoisy(Setup setup) : m_setup(std::move(setup)) {}

@@ -33,8 +33,7 @@ void Atrous::enqueue(FrameRun& run) {
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer(m_setup.input),
              bufferIf(variance, m_setup.variance), run.buffer("guides"), run.buffer("viewDepth"),
              bufferIf(readsRoughness(run.configuration.frame), "roughness"), run.buffer(m_setup.output),
-             bufferIf(variance, m_setup.varianceOut), bufferIf(m_setup.skip, "surfaces"),
-             bufferIf(m_setup.skip, "tileLevels"), params);
+             bufferIf(variance, m_setup.varianceOut), bufferIf(m_setup.skip, "surfaces"), params);
 }
 
 }  // namespace quell

@@ -9,7 +9,7 @@ namespace quell {
 /// See kernels/follow_change.cl for what it computes, from what and after which paper.
 class FollowChange : public Stage {
  public:
-  /// `skip`: leaves out background; see kernels/common/tiles.h.
+  /// `skip`: leaves out background; see kernels/common/surfaces.h.
   FollowChange(const ChangeDetection& detection, bool skip) : m_detection(detection), m_skip(skip) {}
   std::string name() const override { return "follow_change"; }
   void build(const KernelBuilder& builder) override;

@@ -13,7 +13,7 @@ class Variance : public Stage {
   struct Setup {
     EdgeStops stops;
     int temporalFrames = 4;  ///< history length from which on the variance over time is trusted, 1 to 255
-    bool skip = false;       ///< leaves out background; see kernels/common/tiles.h
+    bool skip = false;       ///< leaves out background; see kernels/common/surfaces.h
     /// That of the newest sample: variance of the mean; 0: variance of the samples.
     double leastWeight = 0.0;
   };

@@ -13,8 +13,10 @@ namespace {
 StageSetup makeAccumulateNoisySetup(const CaseOptions& options, const AccumulateNoisyVariant& variant) {
   StageSetup setup = makeSetup(options);
   if (variant.filterGuides) {
-    setup.settings = Settings("svgf");
-    setup.settings.set("momentsLeastWeight", 0.15);  // told apart from the weight of the irradiance
+    setup.settings = Settings(variant.innovation ? "quell" : "svgf");
+    if (variant.innovation) setup.settings.set("skip", "off");
+    setup.settings.set("irradianceLeastWeight", 0.1);  // another default in each method
+    setup.settings.set("momentsLeastWeight", 0.15);    // told apart from the weight of the irradiance
   }
   setFrameViews(setup, variant.images(), options.layout);
   ImageLayout layout = options.layout;
@@ -105,6 +107,22 @@ void comparePixelPrev(Comparison& comparison, const Planes& device, const ExactP
   });
 }
 
+// A difference: relative to the larger of what it is taken of.
+void compareInnovation(Comparison& comparison, const AccumulateNoisyOutputs<float>& device,
+                       const AccumulateNoisyExact& exact) {
+  for (int signal = 0; signal < device.innovation.count; ++signal) {
+    forEachPixel(device.innovation.size(), [&](int x, int y) {
+      if (exact.undecided.at(0, x, y)) return;
+      double scale = 1.0;
+      for (int plane = 3 * signal; plane < 3 * signal + 3; ++plane)
+        scale = std::max({scale, exact.outputs.newestIrradiance.at(plane, x, y),
+                          exact.outputs.irradiance.at(plane, x, y)});
+      comparison.include("innovation", signal, x, y, device.innovation.at(signal, x, y),
+                         exact.outputs.innovation.at(signal, x, y), scale);
+    });
+  }
+}
+
 }  // namespace
 
 AccumulateNoisyCase::AccumulateNoisyCase(const CaseOptions& options, const AccumulateNoisyVariant& variant)
@@ -151,7 +169,9 @@ AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
           downloadIf(m_variant.filterGuides, "moments"),
           downloadIf(m_variant.filterGuides, "viewDepth"),
           downloadIf(m_variant.filterGuides && m_variant.roughness, "roughness"),
-          downloadIf(m_variant.objectId, "objectIds")};
+          downloadIf(m_variant.objectId, "objectIds"),
+          downloadIf(m_variant.innovation, "newestIrradiance"),
+          downloadIf(m_variant.innovation, "innovation")};
 }
 
 Comparison AccumulateNoisyCase::compare() {
@@ -173,6 +193,8 @@ Comparison AccumulateNoisyCase::compare() {
   compareIfPresent("viewDepth", device.viewDepth, exact.outputs.viewDepth);
   compareIfPresent("roughness", device.roughness, exact.outputs.roughness);
   compareIfPresent("objectIds", device.objectIds, exact.outputs.objectIds);
+  compareIfPresent("newestIrradiance", device.newestIrradiance, exact.outputs.newestIrradiance);
+  if (device.innovation.count > 0) compareInnovation(comparison, device, exact);
   comparePixelPrev(comparison, device.pixelPrev, exact.outputs.pixelPrev, exact.undecided);
   return comparison;
 }

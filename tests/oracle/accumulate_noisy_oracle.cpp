@@ -163,7 +163,12 @@ void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int
                  bool present, const History& history, const AccumulateNoisyInputs& inputs) {
   const double blend = newestWeight(present, history, inputs.leastWeight);
   const Vector3d blended = blend * sample.value + (1.0 - blend) * history.irradiance;
-  for (int c = 0; c < 3; ++c) outputs.irradiance.at(3 * signal + c, x, y) = blended[c];
+  for (int c = 0; c < 3; ++c) {
+    outputs.irradiance.at(3 * signal + c, x, y) = blended[c];
+    outputs.newestIrradiance.at(3 * signal + c, x, y) = present ? sample.value[c] : blended[c];
+  }
+  if (present && history.weight > 0.0)
+    outputs.innovation.at(signal, x, y) = luminance(sample.value - history.irradiance);
   outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present                ? sample.weight
                                                          : history.weight > 0.0 ? 1.0
                                                                                 : 0.0;
@@ -192,7 +197,7 @@ AccumulateNoisyExact emptyOutputs(Size size, int signals) {
   return {{ExactPlanes(size, 3 * signals), ExactPlanes(size, signals),
            ExactPlanes(size, QUELL_GUIDE_WEIGHT + signals), ExactPlanes(size, 2), ExactPlanes(size, signals),
            ExactPlanes(size, QUELL_MOMENT_PLANES * signals), ExactPlanes(size, 1), ExactPlanes(size, 1),
-           ExactPlanes(size, 1)},
+           ExactPlanes(size, 1), ExactPlanes(size, 3 * signals), ExactPlanes(size, signals)},
           BasicPlanes<char>(size, 1)};
 }
 

@@ -24,6 +24,7 @@ template <class Value>
 struct AccumulateNoisyOutputs {
   BasicPlanes<Value> irradiance, historyLength, guides, pixelPrev, reprojectionMask;
   BasicPlanes<Value> moments, viewDepth, roughness, objectIds;  ///< empty where there are none
+  BasicPlanes<Value> newestIrradiance, innovation;              ///< likewise; as irradiance, 1 plane a signal
 };
 
 struct AccumulateNoisyExact {

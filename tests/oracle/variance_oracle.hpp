@@ -12,6 +12,8 @@ struct VarianceInputs {
   FilterGuides guides;
   EdgeStopParams stops{};
   int temporalFrames = 4;
+  double leastWeight =
+      0.0;  ///< of the newest sample in the mean whose variance is asked for; 0: of the samples
 };
 
 struct VarianceExact {

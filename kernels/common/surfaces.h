@@ -1,20 +1,13 @@
-// What parts of the image need, so that stages can leave out the rest. Compiled in with SKIP.
+// Which work-items have nothing but background, so that stages can leave them out. Compiled in with SKIP.
 //
 // `surfaces` has one byte a work-item of the per-pixel kernels, QUELL_LANES pixels of a row: 0 where accumulate_noisy
 // found nothing but background in them. What it writes there is the least that others look at: weight, history length,
 // view depth. Everything else keeps finite values of earlier frames, which count for nothing.
-// `tileLevels` has one byte a tile: the iterations of the filter that classify thinks it needs, from 1 on.
-#ifndef QUELL_COMMON_TILES_H
-#define QUELL_COMMON_TILES_H
+#ifndef QUELL_COMMON_SURFACES_H
+#define QUELL_COMMON_SURFACES_H
 
-#include "common/types.h"
-
-// Pixels of a tile. As wide as a work-item with sixteen lanes, so that all lanes share its level.
-#define QUELL_TILE_WIDTH 16
-#define QUELL_TILE_HEIGHT 8
-
-#ifdef __OPENCL_C_VERSION__
 #include "common/lanes.h"
+#include "common/types.h"
 
 // Element of `surfaces` of the work-item at pixel (x, y).
 QUELL_INLINE int surfaceIndex(PlaneParams planes, int x, int y) {
@@ -37,11 +30,5 @@ QUELL_INLINE int isNearSurface(__global const uchar* surfaces, PlaneParams plane
   }
   return found;
 }
-
-QUELL_INLINE int tileLevel(__global const uchar* levels, PlaneParams planes, int x, int y) {
-  const int tilesAcross = (planes.width + QUELL_TILE_WIDTH - 1) / QUELL_TILE_WIDTH;
-  return levels[(y / QUELL_TILE_HEIGHT) * tilesAcross + x / QUELL_TILE_WIDTH];
-}
-#endif
 
 #endif
