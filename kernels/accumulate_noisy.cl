@@ -10,8 +10,8 @@
 //          F_beta (3 planes) where light is divided by it;
 //          with FILTER_GUIDES view depth (1 plane) and, where the caller has it, roughness (1 plane); where the caller
 //          has them, object ids (1 plane).
-// Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded: a cumulative mean
-//          first, an exponential one later.
+// Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded and limited: a
+//          cumulative mean first, an exponential one later.
 // Departures: history is double-buffered (the reference reads and overwrites it in one kernel); a NaN or Inf in
 //          radiance or emission is a missing sample: the pixel keeps its history, or becomes a hole that the filter
 //          fills; one in position or normal makes it pass through; positions are
@@ -75,12 +75,13 @@ QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
 
 // Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
 // as a filter tap. The pointers are those of the signal, moved to the pixel.
-QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisyParams params,
-                                 __global float* irradiance, __global float* moments, __global uchar* length,
+QUELL_INLINE floatL storeBlended(History history, Sample sample, intL mostFrames,
+                                 AccumulateNoisyParams params, __global float* irradiance,
+                                 __global float* moments, __global uchar* length,
                                  __global float* newestIrradiance, __global float* innovation) {
   const int stride = params.planes.stride;
   const intL hasHistory = history.weight > 0.0f;
-  const intL lengthPrev = floorLanes(history.length + 0.5f);
+  const intL lengthPrev = minLanesInt(floorLanes(history.length + 0.5f), mostFrames - 1);
   const floatL cumulative = 1.0f / (TO_FLOAT(lengthPrev) + 1.0f);
   const floatL blend = sample.present ? maxLanes(cumulative, (floatL)(params.leastWeight)) : ZERO_LANES;
   float3L blended = add3(scale3(sample.irradiance, blend), scale3(history.irradiance, 1.0f - blend));
@@ -100,9 +101,7 @@ QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisy
   storeLanes(sample.present || hasHistory ? first : ZERO_LANES, moments + QUELL_MOMENT_FIRST * stride);
   storeLanes(sample.present || hasHistory ? second : ZERO_LANES, moments + QUELL_MOMENT_SECOND * stride);
 #endif
-  storeByteLanes(
-      minLanesInt(lengthPrev + (sample.present ? (intL)(1) : (intL)(0)), (intL)(QUELL_MAX_HISTORY_LENGTH)),
-      length);
+  storeByteLanes(lengthPrev + (sample.present ? (intL)(1) : (intL)(0)), length);
   return (sample.present || hasHistory) ? (sample.present ? sample.weight : ONE_LANES) : ZERO_LANES;
 }
 
@@ -208,12 +207,15 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
     }
   }
 
+  // What does not move on the screen is not blurred by resampling, however old.
+  const intL still = xPrev == TO_FLOAT(x + LANE_INDEX) && yPrev == (floatL)((float)y);
+  const intL mostFrames = still ? (intL)(params.mostFramesStill) : (intL)(params.mostFrames);
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL weight =
-        storeBlended(normaliseHistory(history[s]), makeSample(material.signals[s], surface.valid), params,
-                     irradiance + 3 * s * stride + index, moments + QUELL_MOMENT_PLANES * s * stride + index,
-                     historyLength + s * stride + index, newestIrradiance + 3 * s * stride + index,
-                     innovation + s * stride + index);
+        storeBlended(normaliseHistory(history[s]), makeSample(material.signals[s], surface.valid), mostFrames,
+                     params, irradiance + 3 * s * stride + index,
+                     moments + QUELL_MOMENT_PLANES * s * stride + index, historyLength + s * stride + index,
+                     newestIrradiance + 3 * s * stride + index, innovation + s * stride + index);
     storeLanes(weight, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
     storeByteLanes(mask[s], reprojectionMask + s * stride + index);
   }

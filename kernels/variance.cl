@@ -3,8 +3,8 @@
 //          "when few samples have been accumulated at a given pixel, its variance is instead computed using its
 //          neighbors by a bilateral filter with feature weights", 7x7 pixels.
 // In:      moments of luminance (2 planes per signal), history length (bytes per signal), guides, view depth.
-// Out:     variance (1 plane per signal), >= 0; with OF_MEAN that of the accumulated irradiance: divided by the samples
-//          that it is worth.
+// Out:     variance (1 plane per signal), >= 0; with OF_MEAN that of the accumulated irradiance: divided by the
+//          history length.
 // Border:  taps outside the image are left out.
 // Departures: the spatial estimate is raised by temporalFrames / history length: the moments of one frame know less.
 #include "common/edge_stops.h"
@@ -84,7 +84,7 @@ __kernel void variance(__global const float* moments, __global const uchar* hist
       result = isShort ? spatial * raised : result;
     }
 #if OF_MEAN
-    result /= minLanes(TO_FLOAT(maxLanesInt(length, (intL)(1))), (floatL)(params.mostSamples));
+    result /= TO_FLOAT(maxLanesInt(length, (intL)(1)));
 #endif
     storeLanes(result, varianceOut + s * stride + index);
   }

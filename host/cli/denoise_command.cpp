@@ -158,7 +158,8 @@ void addDenoiseCommand(CLI::App& app) {
   command->add_option("--sky-share", options->skyShare, "Share of the built-in sequence's rows that show sky")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  command->add_flag("--still-camera", options->stillCamera, "The camera of the built-in sequence stands still");
+  command->add_flag("--still-camera", options->stillCamera,
+                    "The camera of the built-in sequence stands still");
   command->add_option("--taa", options->taa, "Temporal antialiasing of the display image")
       ->check(CLI::IsMember({"on", "off"}));
   command->add_option("--signals", options->signals, "1, or 2: diffuse and glossy light side by side")

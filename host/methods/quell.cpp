@@ -1,5 +1,7 @@
 #include "host/methods/quell.hpp"
 
+#include <algorithm>
+
 #include "host/core/frame_images.hpp"
 #include "host/methods/common_settings.hpp"
 #include "host/methods/method_table.hpp"
@@ -18,13 +20,22 @@ using Kind = SettingKind;
 constexpr char kSweep[] = "sweep, docs/quell-sweep.md";
 
 SettingList accumulationSettings() {
-  return {{"irradianceLeastWeight",
-           Kind::Real,
-           0.2,
-           0.001,
+  return {{"historyFrames",
+           Kind::Integer,
+           5.0,
            1.0,
-           "",
-           "least weight of the newest sample, where the light does not change",
+           255.0,
+           "frames",
+           "longest history of what moves on the screen",
+           kSweep,
+           {}},
+          {"stillHistoryFrames",
+           Kind::Integer,
+           16.0,
+           1.0,
+           255.0,
+           "frames",
+           "longest history of what does not move on the screen; at least historyFrames counts",
            kSweep,
            {}},
           {"momentsLeastWeight",
@@ -63,17 +74,15 @@ SettingList changeSettings() {
   return {{"mostWeight",
            Kind::Real,
            1.0,
-           0.001,
+           0.0,
            1.0,
            "",
-           "largest weight of the newest sample, where the light changes; at most irradianceLeastWeight: "
-           "change is "
-           "not followed",
+           "largest weight of the newest sample, where the light changes; 0: change is not followed",
            kSweep,
            {}},
           {"changeThreshold",
            Kind::Real,
-           2.0,
+           1.5,
            0.0,
            100.0,
            "standard deviations",
@@ -82,7 +91,7 @@ SettingList changeSettings() {
            {}},
           {"changeGain",
            Kind::Real,
-           4.0,
+           3.0,
            0.01,
            1e6,
            "variances",
@@ -91,7 +100,7 @@ SettingList changeSettings() {
            {}},
           {"changeMemory",
            Kind::Real,
-           0.25,
+           0.5,
            0.0,
            0.99,
            "",
@@ -103,7 +112,7 @@ SettingList changeSettings() {
 SettingList filterSettings() {
   const SettingDescription luminanceSigma = {"luminanceSigma",
                                              Kind::Real,
-                                             6.0,
+                                             5.5,
                                              0.01,
                                              1e3,
                                              "standard deviations of the mean",
@@ -137,12 +146,17 @@ Level levelAfter(int iteration) {
   return iteration % 2 == 1 ? Level{"filteredOdd", "varianceOdd"} : Level{"filteredEven", "varianceEven"};
 }
 
-ChangeDetection changeDetection(const Settings& s) {
-  return {s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"), s.get("mostWeight"),
-          s.get("changeThreshold"),       s.get("changeGain"),         s.get("changeMemory")};
+int mostFrames(const Settings& s) { return static_cast<int>(s.get("historyFrames")); }
+int mostFramesStill(const Settings& s) {
+  return std::max(mostFrames(s), static_cast<int>(s.get("stillHistoryFrames")));
 }
 
-bool followsChange(const Settings& s) { return s.get("mostWeight") > s.get("irradianceLeastWeight"); }
+ChangeDetection changeDetection(const Settings& s) {
+  return {1.0 / mostFramesStill(s), s.get("momentsLeastWeight"), s.get("mostWeight"),
+          s.get("changeThreshold"), s.get("changeGain"),         s.get("changeMemory")};
+}
+
+bool followsChange(const Settings& s) { return s.get("mostWeight") > 0.0; }
 
 // Work-items of a per-pixel kernel.
 std::size_t surfaceCount(const Configuration& configuration) {
@@ -192,10 +206,15 @@ void addAccumulation(Schedule& schedule, const Configuration& configuration) {
   writes = joinedNames(joinedNames(writes, objectIds), surfaceNames(s));
   writes =
       joinedNames(joinedNames(writes, filterGuideNames(configuration)), addFBeta(schedule, configuration));
-  addStage(schedule,
-           std::make_unique<AccumulateNoisy>(
-               AccumulateNoisy::Setup{s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"),
-                                      "irradiance.prev", true, s.isOn("skip"), change}),
+  AccumulateNoisy::Setup setup;
+  setup.leastWeight = 1.0 / mostFramesStill(s);
+  setup.momentsLeastWeight = s.get("momentsLeastWeight");
+  setup.filterGuides = true;
+  setup.mostFrames = mostFrames(s);
+  setup.mostFramesStill = mostFramesStill(s);
+  setup.skip = s.isOn("skip");
+  setup.innovation = change;
+  addStage(schedule, std::make_unique<AccumulateNoisy>(setup),
            joinedNames({"irradiance.prev", "historyLength.prev", "guides.prev", "moments.prev"},
                        previousNames(objectIds)),
            writes);
@@ -212,9 +231,8 @@ void addAccumulation(Schedule& schedule, const Configuration& configuration) {
 void addVariance(Schedule& schedule, const Settings& s) {
   const bool skip = s.isOn("skip");
   addStage(schedule,
-           std::make_unique<Variance>(Variance::Setup{edgeStops(s),
-                                                      static_cast<int>(s.get("temporalVarianceFrames")), skip,
-                                                      s.get("irradianceLeastWeight")}),
+           std::make_unique<Variance>(
+               Variance::Setup{edgeStops(s), static_cast<int>(s.get("temporalVarianceFrames")), skip, true}),
            joinedNames({"moments", "historyLength", "guides", "viewDepth"}, surfaceNames(s)), {"variance"});
 }
 

@@ -127,7 +127,7 @@ Schedule makeSchedule(const Configuration& configuration) {
           addFBeta(schedule, configuration)));
   addStage(schedule,
            std::make_unique<Variance>(
-               Variance::Setup{stops, static_cast<int>(s.get("temporalVarianceFrames")), false, 0.0}),
+               Variance::Setup{stops, static_cast<int>(s.get("temporalVarianceFrames")), false, false}),
            {"moments", "historyLength", "guides", "viewDepth"}, {"variance"});
   for (int i = 1; i <= iterations; ++i) {
     const Level in = levelAfter(i - 1, fedBack);

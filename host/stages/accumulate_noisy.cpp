@@ -28,6 +28,8 @@ void AccumulateNoisy::enqueue(FrameRun& run) {
   params.surface = makeSurfaceParams(frame);
   params.motion = makeMotionParams(frame);
   params.leastWeight = static_cast<float>(m_setup.leastWeight);
+  params.mostFrames = m_setup.mostFrames;
+  params.mostFramesStill = m_setup.mostFramesStill;
   params.jitters = isJittered(frame.camera) ? 1 : 0;
   params.momentsLeastWeight = static_cast<float>(m_setup.momentsLeastWeight);
   const bool objectIds = frame.objectId.present();

@@ -14,8 +14,7 @@ class Variance : public Stage {
     EdgeStops stops;
     int temporalFrames = 4;  ///< history length from which on the variance over time is trusted, 1 to 255
     bool skip = false;       ///< leaves out background; see kernels/common/surfaces.h
-    /// That of the newest sample: variance of the mean; 0: variance of the samples.
-    double leastWeight = 0.0;
+    bool ofMean = false;     ///< variance of the mean over the history, else of its samples
   };
   explicit Variance(const Setup& setup) : m_setup(setup) {}
   std::string name() const override { return "variance"; }

@@ -10,13 +10,22 @@
 namespace quell::tests {
 namespace {
 
+// Of quell; not its defaults.
+constexpr int kMostFrames = 7;
+constexpr int kMostFramesStill = 12;
+
 StageSetup makeAccumulateNoisySetup(const CaseOptions& options, const AccumulateNoisyVariant& variant) {
   StageSetup setup = makeSetup(options);
   if (variant.filterGuides) {
     setup.settings = Settings(variant.innovation ? "quell" : "svgf");
-    if (variant.innovation) setup.settings.set("skip", "off");
-    setup.settings.set("irradianceLeastWeight", 0.1);  // another default in each method
-    setup.settings.set("momentsLeastWeight", 0.15);    // told apart from the weight of the irradiance
+    setup.settings.set("momentsLeastWeight", 0.15);  // told apart from the weight of the irradiance
+    if (variant.innovation) {
+      setup.settings.set("skip", "off");
+      setup.settings.set("historyFrames", kMostFrames);
+      setup.settings.set("stillHistoryFrames", kMostFramesStill);
+    } else {
+      setup.settings.set("irradianceLeastWeight", 0.1);
+    }
   }
   setFrameViews(setup, variant.images(), options.layout);
   ImageLayout layout = options.layout;
@@ -130,8 +139,14 @@ AccumulateNoisyCase::AccumulateNoisyCase(const CaseOptions& options, const Accum
   static_cast<FrameImages&>(inputs) = randomFrame(variant.images(), options.size, options.seed);
   inputs.guidesPrev = renderScene(movedCamera(), options.size, inputs.material.signals()).guides;
   const Settings& settings = m_harness.configuration().settings;
-  inputs.leastWeight =
-      float(settings.get(variant.filterGuides ? "irradianceLeastWeight" : "noisyLeastWeight"));
+  if (variant.innovation) {
+    inputs.mostFrames = kMostFrames;
+    inputs.mostFramesStill = kMostFramesStill;
+    inputs.leastWeight = 1.0 / kMostFramesStill;
+  } else {
+    inputs.leastWeight =
+        float(settings.get(variant.filterGuides ? "irradianceLeastWeight" : "noisyLeastWeight"));
+  }
   inputs.momentsLeastWeight = variant.filterGuides ? float(settings.get("momentsLeastWeight")) : 0.0;
   randomHistory(inputs, options.size, options.seed + 20);
   if (variant.motion) inputs.motion = randomMotionVectors(options.size, options.seed + 40);

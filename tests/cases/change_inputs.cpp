@@ -10,7 +10,8 @@ StageSetup makeChangeSetup(const CaseOptions& options, int signals, ChangeSettin
   StageSetup setup = makeSetup(options);
   setFilterMethod(setup, "quell", {signals, false});
   if (settings == ChangeSettings::Defaults) return setup;
-  setup.settings.set("irradianceLeastWeight", kChangeLeastWeight);
+  setup.settings.set("historyFrames", 6.0);
+  setup.settings.set("stillHistoryFrames", kChangeHistoryFrames);
   setup.settings.set("momentsLeastWeight", kChangeMomentsLeastWeight);
   setup.settings.set("mostWeight", kChangeMostWeight);
   setup.settings.set("changeThreshold", kChangeThreshold);

@@ -6,7 +6,8 @@
 namespace quell::tests {
 
 /// Settings of change detection other than the defaults: a mixed-up one shows.
-constexpr double kChangeLeastWeight = 0.15;
+constexpr double kChangeHistoryFrames = 8.0;
+constexpr double kChangeLeastWeight = 1.0 / kChangeHistoryFrames;
 constexpr double kChangeMomentsLeastWeight = 0.3;
 constexpr double kChangeMostWeight = 0.9;
 constexpr double kChangeThreshold = 1.5;

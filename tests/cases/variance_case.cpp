@@ -9,12 +9,10 @@ namespace quell::tests {
 namespace {
 
 constexpr int kTemporalFrames = 5;  // not the default
-constexpr double kLeastWeight = 0.15;
 
 StageSetup makeVarianceSetup(const CaseOptions& options, int signals, VarianceOf of) {
   StageSetup setup = makeSetup(options);
   setFilterMethod(setup, of == VarianceOf::Mean ? "quell" : "svgf", {signals, false});
-  setup.settings.set("irradianceLeastWeight", kLeastWeight);
   setup.settings.set("temporalVarianceFrames", kTemporalFrames);
   return setup;
 }
@@ -48,7 +46,7 @@ VarianceCase::VarianceCase(const CaseOptions& options, int signals, VarianceOf o
         float(random.integer(0, random.uniform() < 0.1 ? QUELL_MAX_HISTORY_LENGTH : 2 * kTemporalFrames));
   inputs.stops = edgeStopsOf(settings);
   inputs.temporalFrames = kTemporalFrames;
-  if (of == VarianceOf::Mean) inputs.leastWeight = kLeastWeight;
+  inputs.ofMean = of == VarianceOf::Mean;
 }
 
 void VarianceCase::upload() {

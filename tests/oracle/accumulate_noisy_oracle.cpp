@@ -126,7 +126,7 @@ struct History {
 };
 
 History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, const Surface& surface,
-                      int signal, double x, double y) {
+                      int signal, double x, double y, int mostFrames) {
   History history;
   history.mask = QUELL_PREV_IN_FRAME;
   if (!surface.valid) return history;
@@ -146,7 +146,7 @@ History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, 
   for (double& moment : history.moments) moment /= history.weight;
   history.length /= history.weight;
   oracle.doubt(history.length + 0.5, std::round(history.length + 0.5), kLengthRounding);
-  history.length = std::floor(history.length + 0.5);
+  history.length = std::min(std::floor(history.length + 0.5), mostFrames - 1.0);
   return history;
 }
 
@@ -172,8 +172,7 @@ void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int
   outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present                ? sample.weight
                                                          : history.weight > 0.0 ? 1.0
                                                                                 : 0.0;
-  outputs.historyLength.at(signal, x, y) =
-      std::min<double>(history.length + (present ? 1 : 0), QUELL_MAX_HISTORY_LENGTH);
+  outputs.historyLength.at(signal, x, y) = history.length + (present ? 1 : 0);
   outputs.reprojectionMask.at(signal, x, y) = history.mask;
   if (inputs.momentsLeastWeight == 0.0) return;
   const double momentsBlend = newestWeight(present, history, inputs.momentsLeastWeight);
@@ -214,9 +213,10 @@ AccumulateNoisyExact accumulateNoisyOracle(const AccumulateNoisyInputs& inputs, 
     for (int signal = 0; signal < signals; ++signal) {
       const Material material = materialAt(inputs.material, x, y, signal);
       const Irradiance sample = demodulate(material);
-      const History history = place.inside ? gatherHistory(inputs, oracle, surface, signal,
-                                                           pixelPrev.at(0, x, y), pixelPrev.at(1, x, y))
-                                           : History();
+      const double xPrev = pixelPrev.at(0, x, y), yPrev = pixelPrev.at(1, x, y);
+      const int mostFrames = xPrev == x && yPrev == y ? inputs.mostFramesStill : inputs.mostFrames;
+      const History history =
+          place.inside ? gatherHistory(inputs, oracle, surface, signal, xPrev, yPrev, mostFrames) : History();
       const bool present = material.finite && sample.weight > 0.0 && surface.valid;
       storeSignal(exact.outputs, signal, x, y, sample, present, history, inputs);
       oracle.undecided = oracle.undecided || factorUndecided(material);

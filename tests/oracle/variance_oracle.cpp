@@ -43,9 +43,7 @@ Moments spatialMoments(const VarianceInputs& inputs, int signal, int x, int y) {
 
 // Independent samples that the mean over a history is worth.
 double samplesBehind(const VarianceInputs& inputs, double length) {
-  if (inputs.leastWeight == 0.0) return 1.0;
-  const double most = (2.0 - inputs.leastWeight) / inputs.leastWeight;
-  return std::min(std::max(length, 1.0), most);
+  return inputs.ofMean ? std::max(length, 1.0) : 1.0;
 }
 
 }  // namespace

@@ -12,8 +12,7 @@ struct VarianceInputs {
   FilterGuides guides;
   EdgeStopParams stops{};
   int temporalFrames = 4;
-  double leastWeight =
-      0.0;  ///< of the newest sample in the mean whose variance is asked for; 0: of the samples
+  bool ofMean = false;  ///< variance of the mean over the history, else of its samples
 };
 
 struct VarianceExact {

@@ -64,7 +64,7 @@ std::vector<Light> denoiseLight(const Settings& settings, float step) {
 // The method without the stages that follow change.
 Settings withoutChange() {
   Settings settings("quell");
-  settings.set("mostWeight", settings.get("irradianceLeastWeight"));
+  settings.set("mostWeight", 0.0);
   return settings;
 }
 
@@ -108,7 +108,8 @@ TEST_CASE("quell keeps its history where light stays", "[pipelines]") {
   const std::vector<Light> light = denoiseLight(Settings("quell"), 1.0f);
   const std::vector<Light> still = denoiseLight(withoutChange(), 1.0f);
   Settings forgetful("quell");
-  forgetful.set("irradianceLeastWeight", 1.0);
+  forgetful.set("historyFrames", 1.0);
+  forgetful.set("stillHistoryFrames", 1.0);
   const std::vector<Light> newest = denoiseLight(forgetful, 1.0f);
   for (const Light& frame : light) CHECK(frame.mean == Approx(1.0).epsilon(0.02));
   INFO("deviation: " << light.back().deviation << ", never following change " << still.back().deviation
