@@ -34,6 +34,7 @@ struct DenoiseOptions {
   std::string demodulate;
   std::string features;
   std::string timers = "device";
+  std::string motion = "auto";
   std::string json;
   std::vector<std::string> settings;
   DeviceArguments device;
@@ -97,7 +98,8 @@ void runDenoise(const DenoiseOptions& options) {
 
   io::FrameData frame = sequence->read(frames.front());
   const Options deviceOptions = makeOptions(options.device, timerMode(options.timers));
-  DenoiseSession session(options.device.device, settings, deviceOptions, frame);
+  const MotionUse motion = options.motion == "off" ? MotionUse::Never : MotionUse::WherePresent;
+  DenoiseSession session(options.device.device, settings, deviceOptions, frame, motion);
   DenoiseReport report;
   report.device = session.device();
   report.settings = settings;
@@ -157,6 +159,11 @@ void addDenoiseCommand(CLI::App& app) {
       ->check(CLI::Range(1, 2))
       ->capture_default_str();
   command->add_option("--demodulate", options->demodulate, "Short for --set demodulate=...");
+  command
+      ->add_option("--motion", options->motion,
+                   "Motion vectors and object ids: auto, used where the sequence has them, or off")
+      ->check(CLI::IsMember({"auto", "off"}))
+      ->capture_default_str();
   command->add_option("--preset", options->preset, "Settings to start from: default, or those of the paper")
       ->check(CLI::IsMember({"default", "paper"}))
       ->capture_default_str();
