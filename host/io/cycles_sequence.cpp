@@ -21,7 +21,7 @@ FrameFileName filesOf(const char* buffer) {
   return [buffer](int frame) { return fmt::format("{}_{:04}.exr", buffer, frame); };
 }
 
-/// Throws std::exception, translated by readCameras(), for anything but a 4x4 array of numbers.
+/// Throws std::exception, translated by readCameraFile(), for anything but a 4x4 array of numbers.
 Matrix4 toMatrix(const nlohmann::json& rows) {
   Matrix4 matrix{};
   if (rows.size() != kMatrixSide) throw std::invalid_argument("a matrix must have 4 rows");
@@ -33,7 +33,9 @@ Matrix4 toMatrix(const nlohmann::json& rows) {
   return matrix;
 }
 
-std::map<int, Camera> readCameras(const std::string& path) {
+}  // namespace
+
+std::map<int, Camera> readCameraFile(const std::string& path) {
   const std::string text = readFile(path);
   std::map<int, Camera> cameras;
   try {
@@ -50,14 +52,12 @@ std::map<int, Camera> readCameras(const std::string& path) {
   return cameras;
 }
 
-}  // namespace
-
 CyclesSequence::CyclesSequence(std::string directory, int signals)
     : m_directory(std::move(directory)),
       m_frames(findFrames(m_directory, filesOf("color"))),
       m_signals(signals) {
   const std::string cameraPath = joinPath(m_directory, kCyclesCameraFile);
-  m_cameras = readCameras(cameraPath);
+  m_cameras = readCameraFile(cameraPath);
   for (int frame : m_frames)
     if (m_cameras.count(frame) == 0)
       throwFileError(kStage, cameraPath, fmt::format("matrices of frame {}", frame), "none");

@@ -23,6 +23,9 @@ namespace quell::io {
 /// The file of a directory that marks this layout.
 constexpr char kCyclesCameraFile[] = "camera.json";
 
+/// The cameras of a camera.json by frame. Throws Error(FileError).
+std::map<int, Camera> readCameraFile(const std::string& path);
+
 class CyclesSequence final : public FrameSequence {
  public:
   /// Checks that all files are there; pixels are read later. The size is that of the first colour image.

@@ -69,8 +69,8 @@ class FrameSequence {
   virtual std::optional<HistoryLimits> historyLimits() const { return std::nullopt; }
 };
 
-/// Opens a directory in either supported layout; which one is found by looking (see cycles_sequence.hpp and
-/// bmfr_sequence.hpp). `signals`: 1, or 2 for diffuse and glossy light apart. Throws Error(FileError) saying what
+/// Opens a directory in a supported layout, or one multilayer file; which one is found by looking (see
+/// cycles_sequence.hpp, bmfr_sequence.hpp and multilayer_sequence.hpp). `signals`: 1, or 2 for diffuse and glossy light apart. Throws Error(FileError) saying what
 /// was looked for, or which layout has no two signals.
 std::unique_ptr<FrameSequence> openSequence(const std::string& directory, int signals = 1);
 

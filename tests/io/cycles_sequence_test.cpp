@@ -141,7 +141,7 @@ TEST_CASE("frames that are not there and directories of another kind are refused
                          failsWith(ErrorCode::FileError, {"no such directory"}));
   const TemporaryDirectory empty;
   REQUIRE_THROWS_MATCHES(openSequence(empty.path()), Error,
-                         failsWith(ErrorCode::FileError, {"camera.json", "camera_matrices.h", "neither"}));
+                         failsWith(ErrorCode::FileError, {"camera.json", "camera_matrices.h", "none of them"}));
   writeTextFile(empty.file("camera.json"), "{\"frames\": []}");
   REQUIRE_THROWS_MATCHES(openSequence(empty.path()), Error,
                          failsWith(ErrorCode::FileError, {"color_0000.exr", "none"}));
