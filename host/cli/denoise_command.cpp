@@ -147,9 +147,9 @@ void addDenoiseCommand(CLI::App& app) {
   command->add_option(
       "--input", options->input,
       "Directory with a sequence (see data/README.md), or a multilayer OpenEXR file as Blender's Cycles "
-      "writes "
-      "it, or a directory of these; without it a built-in sequence is made up. Multilayer files need the "
-      "passes Combined and Normal, and both of Position and Depth, or one of them and camera.json");
+      "writes it, "
+      "or a directory of these; without it a built-in sequence is made up. Multilayer files need the passes "
+      "Combined and Normal, and both of Position and Depth, or one of them and camera.json");
   command->add_option("--output", options->output,
                       "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
   command->add_option("--frames", options->frames, "Frames A-B; default: all");

@@ -140,8 +140,9 @@ TEST_CASE("frames that are not there and directories of another kind are refused
   REQUIRE_THROWS_MATCHES(openSequence(files.directory.file("none")), Error,
                          failsWith(ErrorCode::FileError, {"no such directory"}));
   const TemporaryDirectory empty;
-  REQUIRE_THROWS_MATCHES(openSequence(empty.path()), Error,
-                         failsWith(ErrorCode::FileError, {"camera.json", "camera_matrices.h", "none of them"}));
+  REQUIRE_THROWS_MATCHES(
+      openSequence(empty.path()), Error,
+      failsWith(ErrorCode::FileError, {"camera.json", "camera_matrices.h", "none of them"}));
   writeTextFile(empty.file("camera.json"), "{\"frames\": []}");
   REQUIRE_THROWS_MATCHES(openSequence(empty.path()), Error,
                          failsWith(ErrorCode::FileError, {"color_0000.exr", "none"}));
