@@ -24,6 +24,11 @@ TEST_CASE("demodulate agrees with its oracle whichever images there are") {
   checkLayouts(maker({kTwoDemodulatedSignals, true, true}), {packed(3)});
 }
 
+TEST_CASE("demodulate divides by F_beta as its oracle does") {
+  checkSizes(maker({kTwoFBetaSignals, false, true}));
+  checkLayouts(maker({kFBetaMaterial, true, true}), {packed(3), packedHalf(4)});
+}
+
 TEST_CASE("demodulate reads every layout of two signals") {
   checkLayouts(maker(kEverything), {packedHalf(4), interleaved(3)});
 }
