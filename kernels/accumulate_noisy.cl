@@ -75,14 +75,15 @@ QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
 
 // Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
 // as a filter tap. The pointers are those of the signal, moved to the pixel.
-QUELL_INLINE floatL storeBlended(History history, Sample sample, intL mostFrames,
+QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL mostFrames,
                                  AccumulateNoisyParams params, __global float* irradiance,
                                  __global float* moments, __global uchar* length,
                                  __global float* newestIrradiance, __global float* innovation) {
   const int stride = params.planes.stride;
   const intL hasHistory = history.weight > 0.0f;
-  const intL lengthPrev = minLanesInt(floorLanes(history.length + 0.5f), mostFrames - 1);
-  const floatL cumulative = 1.0f / (TO_FLOAT(lengthPrev) + 1.0f);
+  const intL frames = minLanesInt(floorLanes(history.length + 0.5f), mostFrames - 1);
+  const intL lengthPrev = wholeLength(turn, frames);
+  const floatL cumulative = 1.0f / (effectiveLength(turn, frames) + 1.0f);
   const floatL blend = sample.present ? maxLanes(cumulative, (floatL)(params.leastWeight)) : ZERO_LANES;
   float3L blended = add3(scale3(sample.irradiance, blend), scale3(history.irradiance, 1.0f - blend));
   blended = select3(sample.present || hasHistory, blended, splat3(0.0f));
@@ -183,6 +184,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
     mask[s] = inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0);
   }
   const intL wanted = inside && surface.valid;
+  Turn turn = beginTurn(params.reprojection, planes, surface, xPrev, yPrev);
   if (anyLane(wanted)) {
     for (int i = 0; i < 4; ++i) {
       const int offset = tapOffset(planes, i);
@@ -193,6 +195,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
       const intL same = wanted && taps.inFrame[i] &&
                         sameHistory(params.reprojection, surface, objectId, positionPrev, normalPrev,
                                     objectIdsPrev + offset, taps.plan, limitSquared);
+      turn = addNormal(turn, same ? taps.weight[i] : ZERO_LANES, normalPrev);
       for (int s = 0; s < QUELL_SIGNALS; ++s) {
         const floatL weightPrev =
             gatherLanes(guidesPrev + (QUELL_GUIDE_WEIGHT + s) * stride + offset, taps.plan);
@@ -207,13 +210,14 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
     }
   }
 
+  turn = endTurn(turn, params.reprojection, surface);
   // What does not move on the screen is not blurred by resampling, however old.
   const intL still = xPrev == TO_FLOAT(x + LANE_INDEX) && yPrev == (floatL)((float)y);
   const intL mostFrames = still ? (intL)(params.mostFramesStill) : (intL)(params.mostFrames);
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL weight =
-        storeBlended(normaliseHistory(history[s]), makeSample(material.signals[s], surface.valid), mostFrames,
-                     params, irradiance + 3 * s * stride + index,
+        storeBlended(normaliseHistory(history[s]), turn, makeSample(material.signals[s], surface.valid),
+                     mostFrames, params, irradiance + 3 * s * stride + index,
                      moments + QUELL_MOMENT_PLANES * s * stride + index, historyLength + s * stride + index,
                      newestIrradiance + 3 * s * stride + index, innovation + s * stride + index);
     storeLanes(weight, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);

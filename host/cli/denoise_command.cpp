@@ -34,6 +34,7 @@ struct DenoiseOptions {
   std::string demodulate;
   std::string features;
   std::string timers = "device";
+  std::string motion = "auto";
   std::string json;
   std::vector<std::string> settings;
   DeviceArguments device;
@@ -101,7 +102,8 @@ void runDenoise(const DenoiseOptions& options) {
 
   io::FrameData frame = sequence->read(frames.front());
   const Options deviceOptions = makeOptions(options.device, timerMode(options.timers));
-  DenoiseSession session(options.device.device, settings, deviceOptions, frame);
+  const MotionUse motion = options.motion == "off" ? MotionUse::Never : MotionUse::WherePresent;
+  DenoiseSession session(options.device.device, settings, deviceOptions, frame, motion);
   DenoiseReport report;
   report.device = session.device();
   report.settings = settings;
@@ -146,8 +148,12 @@ void addDenoiseCommand(CLI::App& app) {
   command->add_option("--method", options->method, "Method")
       ->check(CLI::IsMember(methodNames()))
       ->capture_default_str();
-  command->add_option("--input", options->input,
-                      "Directory with a sequence (see data/README.md); without it a built-in one is made up");
+  command->add_option(
+      "--input", options->input,
+      "Directory with a sequence (see data/README.md), or a multilayer OpenEXR file as Blender's Cycles "
+      "writes it, "
+      "or a directory of these; without it a built-in sequence is made up. Multilayer files need the passes "
+      "Combined and Normal, and both of Position and Depth, or one of them and camera.json");
   command->add_option("--output", options->output,
                       "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
   command->add_option("--frames", options->frames, "Frames A-B; default: all");
@@ -166,6 +172,11 @@ void addDenoiseCommand(CLI::App& app) {
       ->check(CLI::Range(1, 2))
       ->capture_default_str();
   command->add_option("--demodulate", options->demodulate, "Short for --set demodulate=...");
+  command
+      ->add_option("--motion", options->motion,
+                   "Motion vectors and object ids: auto, used where the sequence has them, or off")
+      ->check(CLI::IsMember({"auto", "off"}))
+      ->capture_default_str();
   command->add_option("--preset", options->preset, "Settings to start from: default, or those of the paper")
       ->check(CLI::IsMember({"default", "paper"}))
       ->capture_default_str();

@@ -23,6 +23,11 @@ TEST_CASE("demodulate agrees with its oracle whichever images there are") {
                  maker({kTwoDemodulatedSignals, true, true})});
 }
 
+TEST_CASE("demodulate divides by F_beta as its oracle does") {
+  checkSizes(maker({kTwoFBetaSignals, false, true}));
+  checkLayouts(maker({kFBetaMaterial, true, true}), {packedHalf(4)});
+}
+
 TEST_CASE("demodulate reads two signals of half precision") {
   checkLayouts(maker(kEverything), {packedHalf(4)});
 }
