@@ -1,5 +1,7 @@
-# `cmake --install`: the library with its headers and a package for find_package(quell), and the tool.
+# `cmake --install`: the library with its headers and a package for find_package(quell) and pkg-config,
+# and the tool.
 include(CMakePackageConfigHelpers)
+include(QuellPkgConfig)
 
 install(TARGETS quell EXPORT quellTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -1,0 +1,32 @@
+# quell.pc for pkg-config. All paths are relative to the file itself, so that an installed copy may be moved.
+foreach(folder LIBDIR INCLUDEDIR)
+  file(RELATIVE_PATH QUELL_PC_${folder} ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_${folder}})
+endforeach()
+file(RELATIVE_PATH QUELL_PC_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" QUELL_PC_PREFIX "${QUELL_PC_PREFIX}")
+
+# Whoever includes Quell's headers includes and calls OpenCL, too; its loader may come without a .pc file.
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+  pkg_check_modules(QUELL_OPENCL_PC QUIET OpenCL)
+endif()
+set(QUELL_PC_REQUIRES "")
+set(QUELL_PC_LIBS "")
+if(QUELL_OPENCL_PC_FOUND)
+  set(QUELL_PC_REQUIRES OpenCL)
+else()
+  string(APPEND QUELL_PC_LIBS " -lOpenCL")
+endif()
+# C compilers do not link the C++ runtime of a static library by themselves.
+get_target_property(quell_type quell TYPE)
+if(quell_type STREQUAL STATIC_LIBRARY)
+  set(runtime ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
+  list(FILTER runtime INCLUDE REGEX "^(stdc\\+\\+|c\\+\\+|m)$")
+  list(REMOVE_DUPLICATES runtime)
+  foreach(library IN LISTS runtime)
+    string(APPEND QUELL_PC_LIBS " -l${library}")
+  endforeach()
+endif()
+
+configure_file(${PROJECT_SOURCE_DIR}/cmake/quell.pc.in ${PROJECT_BINARY_DIR}/quell.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/quell.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
