@@ -1,4 +1,5 @@
-# quell.pc for pkg-config. All paths are relative to the file itself, so that an installed copy may be moved.
+# quell.pc for pkg-config, with QUELL_CXX_RUNTIME linked. All paths are relative to the file itself, so that an
+# installed copy may be moved.
 foreach(folder LIBDIR INCLUDEDIR)
   file(RELATIVE_PATH QUELL_PC_${folder} ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_${folder}})
 endforeach()
@@ -17,16 +18,9 @@ if(QUELL_OPENCL_PC_FOUND)
 else()
   string(APPEND QUELL_PC_LIBS " -lOpenCL")
 endif()
-# C compilers do not link the C++ runtime of a static library by themselves.
-get_target_property(quell_type quell TYPE)
-if(quell_type STREQUAL STATIC_LIBRARY)
-  set(runtime ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
-  list(FILTER runtime INCLUDE REGEX "^(stdc\\+\\+|c\\+\\+|m)$")
-  list(REMOVE_DUPLICATES runtime)
-  foreach(library IN LISTS runtime)
-    string(APPEND QUELL_PC_LIBS " -l${library}")
-  endforeach()
-endif()
+foreach(library IN LISTS QUELL_CXX_RUNTIME)
+  string(APPEND QUELL_PC_LIBS " -l${library}")
+endforeach()
 
 configure_file(${PROJECT_SOURCE_DIR}/cmake/quell.pc.in ${PROJECT_BINARY_DIR}/quell.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/quell.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
