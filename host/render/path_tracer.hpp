@@ -1,13 +1,13 @@
-// The path tracer: one frame of a scene at a time, on any OpenCL device.
+// The path tracer with images in host memory: one frame of a scene at a time, on any OpenCL device.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <quell/frame.hpp>
 #include <string>
 
 #include "host/io/image.hpp"
+#include "host/render/device_tracer.hpp"
 #include "host/render/scene.hpp"
 
 namespace quell::render {
@@ -34,13 +34,6 @@ struct Light {
   io::Image hitDistance;
 };
 
-/// Which of the two estimates of direct light counts; one alone is for tests.
-enum class Estimator {
-  Both = QUELL_ESTIMATOR_BOTH,
-  LightOnly = QUELL_ESTIMATOR_LIGHT_ONLY,
-  BsdfOnly = QUELL_ESTIMATOR_BSDF_ONLY,
-};
-
 /// albedo * diffuse + glossColor * glossy + emission.
 io::Image composeColor(const Features& features, const Light& light);
 
@@ -63,7 +56,7 @@ class PathTracer {
   /// The light of the scene last given to features(); samples >= 1 per pixel. `progress` is called with the
   /// number of samples just done.
   Light light(std::uint32_t seed, int samples, Estimator estimator = Estimator::Both,
-              const std::function<void(int)>& progress = {});
+              const SampleProgress& progress = {});
 
   const std::string& deviceName() const;
 
