@@ -48,9 +48,17 @@ DeviceTracer::DeviceTracer(const cl::Context& context, const cl::Device& device,
     *image = makeBuffer(3);
   for (cl::Buffer* image : {&i.motion, &m_hits}) *image = makeBuffer(2);
   for (cl::Buffer* image : {&i.roughness, &i.objectId, &i.hitDistance}) *image = makeBuffer(1);
-  if (timed)
-    m_timer = std::make_unique<FrameTimer>(std::vector<std::string>{"primary", "shade", "compose"},
-                                           std::vector<std::uint64_t>(3, 0), TimeSource::Device);
+  if (timed) startTimer();
+}
+
+void DeviceTracer::startTimer() {
+  cl::Event event;
+  m_queue.enqueueFillBuffer(m_images.color, 0.0f, 0, m_images.color.getInfo<CL_MEM_SIZE>(), nullptr, &event);
+  event.wait();
+  const bool device = FrameTimer::hasDeviceTimes(event);
+  m_timer = std::make_unique<FrameTimer>(std::vector<std::string>{"primary", "shade", "compose"},
+                                         std::vector<std::uint64_t>(3, 0),
+                                         device ? TimeSource::Device : TimeSource::Host);
 }
 
 void DeviceTracer::traceFeatures(const Scene& now, const Scene& before) {

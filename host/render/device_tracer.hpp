@@ -55,7 +55,8 @@ class DeviceTracer {
 
   const TracedImages& images() const { return m_images; }
 
-  /// Times of all frames that have finished so far, per kernel; never waits. Empty unless `timed`.
+  /// Times of all frames that have finished so far, per kernel; never waits. Empty unless `timed`. Bytes are not
+  /// counted.
   Timings timings() { return m_timer ? m_timer->collect() : Timings{}; }
 
  private:
@@ -63,6 +64,7 @@ class DeviceTracer {
   cl::Buffer makeBuffer(std::size_t components) const;
   template <class Value>
   cl::Buffer upload(const std::vector<Value>& values) const;
+  void startTimer();
   void uploadScene(const Scene& now, const Scene& before);
   template <class... Arguments>
   void launch(std::size_t stage, cl::Kernel& kernel, const Arguments&... arguments);

@@ -37,7 +37,11 @@ struct Light {
 /// albedo * diffuse + glossColor * glossy + emission.
 io::Image composeColor(const Features& features, const Light& light);
 
-/// A seed of its own for every frame and stream (0: the noisy frame; 1 and 2: halves of the reference).
+/// Streams of random numbers: noisy frames and both halves ('a' and 'b') of a reference are independent.
+constexpr int kNoisyStream = 0;
+constexpr int referenceStream(char half) { return half == 'a' ? 1 : 2; }
+
+/// A seed of its own for every frame and stream.
 std::uint32_t mixSeed(std::uint32_t seed, int frame, int stream);
 
 /// Equal arguments give equal pixels on one device and driver. Errors of OpenCL come as quell::Error.
