@@ -28,6 +28,8 @@ constexpr FrameImagePair kImages[] = {
     {&quell_frame::roughness, &Frame::roughness},
     {&quell_frame::f0, &Frame::f0},
     {&quell_frame::emission, &Frame::emission},
+    {&quell_frame::motion, &Frame::motion},
+    {&quell_frame::objectId, &Frame::objectId},
 };
 
 /// The same images in the same order as kFrameImages.
@@ -54,9 +56,12 @@ ImageView toView(const quell_image_view& given, const char* function, const char
     case QUELL_FLOAT16:
       view.format = ComponentFormat::Float16;
       break;
+    case QUELL_UINT32:
+      view.format = ComponentFormat::UInt32;
+      break;
     default:
-      refuseEnumerator(function, std::string(name) + ".format", "QUELL_FLOAT32 or QUELL_FLOAT16",
-                       given.format);
+      refuseEnumerator(function, std::string(name) + ".format",
+                       "QUELL_FLOAT32, QUELL_FLOAT16 or QUELL_UINT32", given.format);
   }
   view.channels = given.channels;
   view.offsetBytes = given.offsetBytes;

@@ -33,6 +33,7 @@ struct DemoArguments {
   std::string output;
   std::string size = "480x270";
   std::string referenceFrames = "last";
+  std::string motion = "auto";
   std::string json;
   int frames = 30;
   int samples = 1;
@@ -48,6 +49,7 @@ DemoSetup makeSetup(const DemoArguments& arguments) {
   setup.samples = arguments.samples;
   setup.seed = arguments.seed;
   setup.signals = arguments.signals;
+  setup.motion = arguments.motion != "off";
   setup.device = arguments.device.device;
   setup.settings = applyMethodArguments(kCommand, arguments.method, Settings(arguments.method.method));
   setup.options = makeOptions(arguments.device, TimerMode::Device);
@@ -88,7 +90,7 @@ class Demo {
 
   void finish() {
     const Timings tracing = m_pipeline.tracingTimes();
-    const std::string text = tracingText(tracing) + "\n" + toText(m_report);
+    const std::string text = tracingText(tracing) + "\n" + toText(withLastError());
     fmt::print("{}", text);
     if (!m_arguments.json.empty()) io::writeTextFile(m_arguments.json, json(tracing).dump(2) + "\n");
     const std::string page = inOutput(kPageName);
@@ -119,6 +121,13 @@ class Demo {
     const std::string path = inOutput(fmt::format("comparison_{:04}.png", frame));
     io::writeBinaryFile(path, png.data(), png.size());
     m_sheets.push_back({frame, sheet.width / m_setup.size.width, path, png.size()});
+  }
+
+  /// Errors of many frames would be a wall of figures; the JSON report has them all.
+  DenoiseReport withLastError() const {
+    DenoiseReport report = m_report;
+    if (report.errors.size() > 1) report.errors.erase(report.errors.begin(), report.errors.end() - 1);
+    return report;
   }
 
   std::string inOutput(const std::string& name) const {
@@ -201,6 +210,9 @@ void addDemoCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--signals", arguments->signals, "1, or 2: diffuse and glossy light side by side")
       ->check(CLI::Range(1, 2))
+      ->capture_default_str();
+  command->add_option("--motion", arguments->motion, "Motion vectors and object ids: auto, used, or off")
+      ->check(CLI::IsMember({"auto", "off"}))
       ->capture_default_str();
   addMethodArguments(*command, arguments->method);
   addDeviceArguments(*command, arguments->device);

@@ -11,9 +11,9 @@ constexpr char kStage[] = "demo";
 constexpr int kOutputChannels = 3;
 
 /// The denoiser reads the tracer's images where they are.
-Frame frameOf(const render::TracedImages& traced, Size size, int signals) {
+Frame frameOf(const render::TracedImages& traced, const DemoSetup& setup) {
   Frame frame;
-  frame.size = size;
+  frame.size = setup.size;
   frame.normalWorld = packedImage(traced.normal(), 3);
   frame.positionWorld = packedImage(traced.position(), 3);
   frame.albedo = packedImage(traced.albedo(), 3);
@@ -21,7 +21,11 @@ Frame frameOf(const render::TracedImages& traced, Size size, int signals) {
   frame.roughness = packedImage(traced.roughness(), 1);
   frame.f0 = packedImage(traced.f0(), 3);
   frame.emission = packedImage(traced.emission(), 3);
-  frame.demodulated = signals == 2;
+  if (setup.motion) {
+    frame.motion = packedImage(traced.motion(), 2);
+    frame.objectId = packedImage(traced.objectId(), 1, ComponentFormat::UInt32);
+  }
+  frame.demodulated = setup.signals == 2;
   frame.radiance = packedImage(frame.demodulated ? traced.diffuse() : traced.color(), 3);
   if (frame.demodulated) frame.glossyRadiance = packedImage(traced.glossy(), 3);
   return frame;
@@ -42,7 +46,7 @@ class DemoPipeline::Implementation {
         m_denoiser(m_context, m_device, m_queue, setup.settings, setup.options),
         m_linear(makeOutput()),
         m_display(makeOutput()),
-        m_frame(frameOf(m_tracer.images(), setup.size, setup.signals)),
+        m_frame(frameOf(m_tracer.images(), setup)),
         m_output{packedImage(m_linear(), kOutputChannels), packedImage(m_display(), kOutputChannels)} {
     m_denoiser.prepare(m_frame, m_output);
   }

@@ -19,6 +19,7 @@ struct DemoSetup {
   int samples = 1;  ///< per pixel
   std::uint32_t seed = 1;
   int signals = 1;          ///< 2: diffuse and glossy light side by side
+  bool motion = true;       ///< motion vectors and object ids reach the denoiser
   std::string device;       ///< as for chooseDevice()
   std::string tracerCache;  ///< for the path tracer's compiled kernels; empty: none
   Settings settings;

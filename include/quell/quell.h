@@ -162,7 +162,8 @@ quell_status quellGetSettingsMethod(const quell_settings* settings, const char**
 typedef int32_t quell_component_format;
 enum {
   QUELL_FLOAT32 = 0,
-  QUELL_FLOAT16 = 1 /* IEEE half */
+  QUELL_FLOAT16 = 1, /* IEEE half */
+  QUELL_UINT32 = 2   /* 32-bit unsigned integers, for object ids only */
 };
 
 /* One image within a buffer that the caller owns, row-major, pixel (0, 0) top left; float3, float4, planes and
@@ -204,6 +205,8 @@ typedef struct quell_frame {
   quell_image_view roughness;
   quell_image_view f0;
   quell_image_view emission;
+  quell_image_view motion;   /* previous pixel minus this pixel, pixels, x right, y down, without jitter */
+  quell_image_view objectId; /* any number; compared bit by bit */
 } quell_frame;
 
 /* Outputs of one frame, either or both. */

@@ -19,9 +19,13 @@ struct DestroyDenoiser {
 };
 using DenoiserHandle = std::unique_ptr<quell_denoiser, DestroyDenoiser>;
 
+quell_component_format toC(ComponentFormat format) {
+  if (format == ComponentFormat::UInt32) return QUELL_UINT32;
+  return format == ComponentFormat::Float32 ? QUELL_FLOAT32 : QUELL_FLOAT16;
+}
+
 quell_image_view toC(const ImageView& view) {
-  quell_image_view result = quellPackedImage(
-      view.memory, view.channels, view.format == ComponentFormat::Float32 ? QUELL_FLOAT32 : QUELL_FLOAT16);
+  quell_image_view result = quellPackedImage(view.memory, view.channels, toC(view.format));
   result.offsetBytes = view.offsetBytes;
   result.pixelStrideBytes = view.pixelStrideBytes;
   result.rowPitchBytes = view.rowPitchBytes;
@@ -48,6 +52,8 @@ quell_frame toC(const Frame& frame) {
   result.roughness = toC(frame.roughness);
   result.f0 = toC(frame.f0);
   result.emission = toC(frame.emission);
+  result.motion = toC(frame.motion);
+  result.objectId = toC(frame.objectId);
   return result;
 }
 
@@ -129,6 +135,8 @@ TEST_CASE("C and C++ give the same picture, bit by bit", "[core][c]") {
   ImageSetup setup;
   setup.radiance = packed(4);
   setup.glossColor = packed(3);
+  setup.motion = packed(2);
+  setup.objectId = {ComponentFormat::UInt32, 1, 0, 0, 0};
   CDenoiser c(setup);
   const Picture picture = c.run(0, kLastFrame);
   CHECK(picture == SmallDenoiser(setup).run(0, kLastFrame));
