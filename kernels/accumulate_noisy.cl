@@ -74,13 +74,13 @@ QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
 
 // Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
 // as a filter tap. The pointers are those of the signal, moved to the pixel.
-QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisyParams params,
+QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, AccumulateNoisyParams params,
                                  __global float* irradiance, __global float* moments,
                                  __global uchar* length) {
   const int stride = params.planes.stride;
   const intL hasHistory = history.weight > 0.0f;
-  const intL lengthPrev = floorLanes(history.length + 0.5f);
-  const floatL cumulative = 1.0f / (TO_FLOAT(lengthPrev) + 1.0f);
+  const intL lengthPrev = wholeLength(turn, floorLanes(history.length + 0.5f));
+  const floatL cumulative = 1.0f / (effectiveLength(turn, floorLanes(history.length + 0.5f)) + 1.0f);
   const floatL blend = sample.present ? maxLanes(cumulative, (floatL)(params.leastWeight)) : ZERO_LANES;
   float3L blended = add3(scale3(sample.irradiance, blend), scale3(history.irradiance, 1.0f - blend));
   blended = select3(sample.present || hasHistory, blended, splat3(0.0f));
@@ -138,6 +138,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
     mask[s] = inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0);
   }
   const intL wanted = inside && surface.valid;
+  Turn turn = beginTurn(params.reprojection, planes, surface, xPrev, yPrev);
   if (anyLane(wanted)) {
     for (int i = 0; i < 4; ++i) {
       const int offset = tapOffset(planes, i);
@@ -148,6 +149,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
       const intL same = wanted && taps.inFrame[i] &&
                         sameHistory(params.reprojection, surface, objectId, positionPrev, normalPrev,
                                     objectIdsPrev + offset, taps.plan, limitSquared);
+      turn = addNormal(turn, same ? taps.weight[i] : ZERO_LANES, normalPrev);
       for (int s = 0; s < QUELL_SIGNALS; ++s) {
         const floatL weightPrev =
             gatherLanes(guidesPrev + (QUELL_GUIDE_WEIGHT + s) * stride + offset, taps.plan);
@@ -162,11 +164,12 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
     }
   }
 
+  turn = endTurn(turn, params.reprojection, surface);
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL weight =
-        storeBlended(normaliseHistory(history[s]), makeSample(material.signals[s], surface.valid), params,
-                     irradiance + 3 * s * stride + index, moments + QUELL_MOMENT_PLANES * s * stride + index,
-                     historyLength + s * stride + index);
+        storeBlended(normaliseHistory(history[s]), turn, makeSample(material.signals[s], surface.valid),
+                     params, irradiance + 3 * s * stride + index,
+                     moments + QUELL_MOMENT_PLANES * s * stride + index, historyLength + s * stride + index);
     storeLanes(weight, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
     storeByteLanes(mask[s], reprojectionMask + s * stride + index);
   }

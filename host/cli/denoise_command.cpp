@@ -30,6 +30,7 @@ struct DenoiseOptions {
   std::string frames;
   std::string size = "1280x720";
   std::string timers = "device";
+  std::string motion = "auto";
   std::string json;
   DeviceArguments device;
   int analyticFrames = 16;
@@ -80,7 +81,8 @@ void runDenoise(const DenoiseOptions& options) {
 
   io::FrameData frame = sequence->read(frames.front());
   const Options deviceOptions = makeOptions(options.device, timerMode(options.timers));
-  DenoiseSession session(options.device.device, settings, deviceOptions, frame);
+  const MotionUse motion = options.motion == "off" ? MotionUse::Never : MotionUse::WherePresent;
+  DenoiseSession session(options.device.device, settings, deviceOptions, frame, motion);
   DenoiseReport report;
   report.device = session.device();
   report.settings = settings;
@@ -134,6 +136,11 @@ void addDenoiseCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--signals", options->signals, "1, or 2: diffuse and glossy light side by side")
       ->check(CLI::Range(1, 2))
+      ->capture_default_str();
+  command
+      ->add_option("--motion", options->motion,
+                   "Motion vectors and object ids: auto, used where the sequence has them, or off")
+      ->check(CLI::IsMember({"auto", "off"}))
       ->capture_default_str();
   command->add_option("--timers", options->timers, "Where stage times come from")
       ->check(CLI::IsMember({"device", "host", "off"}))

@@ -115,7 +115,12 @@ FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denois
 }
 
 metrics::TrackedFrame trackFrame(const io::FrameData& frame, const DenoisedFrame& denoised) {
-  return {metrics::encodeForDisplay(denoised.linear), frame.normalWorld, frame.positionWorld, frame.camera};
+  return {metrics::encodeForDisplay(denoised.linear),
+          frame.normalWorld,
+          frame.positionWorld,
+          frame.camera,
+          frame.motion,
+          frame.objectId};
 }
 
 StageTimings sumOfStages(const Timings& timings) {

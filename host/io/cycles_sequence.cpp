@@ -71,6 +71,8 @@ CyclesSequence::CyclesSequence(std::string directory, int signals)
   m_hasEmission = hasFrameFiles(m_directory, filesOf("emission"), m_frames);
   m_hasRoughness = hasFrameFiles(m_directory, filesOf("roughness"), m_frames);
   m_hasF0 = hasFrameFiles(m_directory, filesOf("f0"), m_frames);
+  m_hasMotion = hasFrameFiles(m_directory, filesOf("motion"), m_frames);
+  m_hasObjectId = hasFrameFiles(m_directory, filesOf("object_id"), m_frames);
 
   const ExrHeader first = readExrHeader(joinPath(m_directory, filesOf("color")(m_frames.front())));
   m_width = first.width;
@@ -79,6 +81,11 @@ CyclesSequence::CyclesSequence(std::string directory, int signals)
 
 Image CyclesSequence::readBuffer(const char* buffer, int frame) const {
   return readRgbOfSize(joinPath(m_directory, filesOf(buffer)(frame)), m_width, m_height);
+}
+
+Image CyclesSequence::readChannels(const char* buffer, const std::vector<std::string>& channels,
+                                   int frame) const {
+  return readChannelsOfSize(joinPath(m_directory, filesOf(buffer)(frame)), channels, m_width, m_height);
 }
 
 FrameData CyclesSequence::read(int frame) const {
@@ -101,8 +108,9 @@ FrameData CyclesSequence::read(int frame) const {
   if (m_hasGlossColor) data.glossColor = readBuffer("gloss_color", frame);
   if (m_hasEmission) data.emission = readBuffer("emission", frame);
   if (m_hasF0) data.f0 = readBuffer("f0", frame);
-  if (m_hasRoughness)
-    data.roughness = readGreyOfSize(joinPath(m_directory, filesOf("roughness")(frame)), m_width, m_height);
+  if (m_hasRoughness) data.roughness = readChannels("roughness", {"Y"}, frame);
+  if (m_hasMotion) data.motion = readChannels("motion", {"R", "G"}, frame);
+  if (m_hasObjectId) data.objectId = readChannels("object_id", {"Y"}, frame);
   return data;
 }
 

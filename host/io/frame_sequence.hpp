@@ -26,6 +26,8 @@ struct FrameData {
   Image emission;        ///< 3 channels, optional
   Image f0;              ///< 3 channels, Fresnel reflectance at normal incidence, optional
   Image roughness;       ///< 1 channel, 0 to 1, optional; alpha of GGX is its square
+  Image motion;          ///< 2 channels, pixels: previous pixel minus this one, x right, y down; optional
+  Image objectId;        ///< 1 channel, whole numbers up to 2^24, 0 is background; optional
   /// True where light is already divided by albedo and gloss colour (two signals, and the layout published with
   /// the BMFR paper).
   bool demodulated = false;
