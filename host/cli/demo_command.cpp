@@ -66,11 +66,6 @@ class Demo {
  public:
   explicit Demo(const DemoArguments& arguments)
       : m_arguments(arguments), m_setup(makeSetup(arguments)), m_pipeline(m_setup) {
-    std::error_code failure;
-    std::filesystem::create_directories(arguments.output, failure);
-    if (failure)
-      throw Error(ErrorCode::FileError, {kCommand, arguments.output,
-                                         "a directory that can be created or exists", failure.message()});
     m_report.device = m_pipeline.device();
     m_report.settings = m_setup.settings;
     m_report.size = m_setup.size;
@@ -173,7 +168,16 @@ class Demo {
   std::vector<DemoSheet> m_sheets;
 };
 
+void createDirectory(const std::string& path) {
+  std::error_code failure;
+  std::filesystem::create_directories(path, failure);
+  if (failure)
+    throw Error(ErrorCode::FileError,
+                {kCommand, path, "a directory that can be created or exists", failure.message()});
+}
+
 void runDemo(const DemoArguments& arguments) {
+  createDirectory(arguments.output);
   Demo demo(arguments);
   demo.run();
   demo.finish();
@@ -211,7 +215,9 @@ void addDemoCommand(CLI::App& app) {
   command->add_option("--signals", arguments->signals, "1, or 2: diffuse and glossy light side by side")
       ->check(CLI::Range(1, 2))
       ->capture_default_str();
-  command->add_option("--motion", arguments->motion, "Motion vectors and object ids: auto, used, or off")
+  command
+      ->add_option("--motion", arguments->motion,
+                   "Motion vectors and object ids: auto, handed to the denoiser, or off")
       ->check(CLI::IsMember({"auto", "off"}))
       ->capture_default_str();
   addMethodArguments(*command, arguments->method);
