@@ -133,10 +133,9 @@ void checkError(quell_status returned, quell_status status, const std::string& a
 
 TEST_CASE("C and C++ give the same picture, bit by bit", "[core][c]") {
   ImageSetup setup;
-  setup.radiance = packed(4);
-  setup.glossColor = packed(3);
-  setup.motion = packed(2);
-  setup.objectId = {ComponentFormat::UInt32, 1, 0, 0, 0};
+  setup.objectId = {ComponentFormat::UInt32, 1};
+  setup.objectId.offset = 5;
+  setup.albedo.rowPadding = 11;
   CDenoiser c(setup);
   const Picture picture = c.run(0, kLastFrame);
   CHECK(picture == SmallDenoiser(setup).run(0, kLastFrame));
