@@ -1,3 +1,4 @@
+#include <deque>
 #include <quell/denoiser.hpp>
 #include <utility>
 
@@ -87,7 +88,7 @@ class QueueRun : public FrameRun {
                                  m_waitFor.empty() ? nullptr : &m_waitFor, wantEvent ? &event : nullptr);
     m_waitFor.clear();
     if (m_chain) m_waitFor.push_back(event);
-    if (m_keepEvents) m_events.emplace_back(m_stage, event);
+    if (m_keepEvents || m_chain) m_events.emplace_back(m_stage, event);
     m_lastEvent = event;
   }
 
@@ -278,7 +279,17 @@ class Denoiser::Implementation {
       for (const auto& [stage, event] : run.events()) m_timer->add(stage, event);
       m_timer->endFrame();
     }
+    if (chain) keepUntilDone(run.events());
     return m_lastEvent;
+  }
+
+  // Some runtimes touch events of a chain that fails after they have given them back (PoCL 3.1), so that references of
+  // our own must outlast the failure.
+  void keepUntilDone(const std::vector<std::pair<std::size_t, cl::Event>>& events) {
+    while (!m_chains.empty() &&
+           m_chains.front().back().second.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() <= CL_COMPLETE)
+      m_chains.pop_front();
+    if (!events.empty()) m_chains.push_back(events);
   }
 
   // Machine code is often made at the first launch; nobody should wait for it in a frame.
@@ -325,6 +336,7 @@ class Denoiser::Implementation {
   BufferSet m_buffers;
   std::unique_ptr<FrameTimer> m_timer;
   cl::Event m_lastEvent;
+  std::deque<std::vector<std::pair<std::size_t, cl::Event>>> m_chains;  // of frames that may still be pending
   std::uint32_t m_frameIndex = 0;
   bool m_outOfOrder = false;
   bool m_prepared = false;

@@ -125,7 +125,7 @@ class FrameSuite::Runner {
   Output m_output;
 };
 
-std::vector<std::string> frameMethods() { return {"svgf", "atrous", "bmfr"}; }
+std::vector<std::string> frameMethods() { return {"quell", "svgf", "atrous", "bmfr"}; }
 
 FrameSuite::FrameSuite(std::string device, const Options& options)
     : m_device(std::move(device)), m_options(options) {}

@@ -16,13 +16,13 @@ Names namesOf(const std::string& list) { return FitFeatures(list).names(); }
 void checkRefusedList(const std::string& list, const std::string& expected, const std::string& got) {
   INFO(list);
   checkRefused({ErrorCode::OutOfRange, "settings", "features", expected, got},
-               [&] { Settings().set("features", list); });
+               [&] { Settings("bmfr").set("features", list); });
 }
 
 }  // namespace
 
 TEST_CASE("the default features are those of the paper", "[core]") {
-  CHECK(Settings().text("features") == "1,n,w,w2");
+  CHECK(Settings("bmfr").text("features") == "1,n,w,w2");
   CHECK(FitFeatures().names() == Names{"1", "nx", "ny", "nz", "wx", "wy", "wz", "wx2", "wy2", "wz2"});
   CHECK(FitFeatures().scaledNames() == Names{"wx", "wy", "wz"});
   CHECK_FALSE(FitFeatures().needMaterial());
@@ -89,7 +89,7 @@ TEST_CASE("a feature whose image is missing is refused by prepare()", "[core]") 
     SmallDenoiser small;
     Frame frame = small.buffers.frame;
     frame.albedo = {};
-    Settings settings;
+    Settings settings("bmfr");
     settings.set("features", image);
     const OpenDevice device;
     Denoiser denoiser(device.context, device.device, device.queue, settings);
@@ -100,7 +100,7 @@ TEST_CASE("a feature whose image is missing is refused by prepare()", "[core]") 
 
 TEST_CASE("overlapping windows refuse lists whose lower powers are too many", "[core]") {
   SmallDenoiser small;
-  Settings settings;
+  Settings settings("bmfr");
   settings.set("features", "wx3,wy3,wz3,depth3,gx3,gy3,sqrt(wx)3,sqrt(wy)3,sqrt(wz)3,sqrt(depth)3");
   settings.set("solver", "gram");
   settings.set("windows", "overlap");

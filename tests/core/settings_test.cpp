@@ -48,7 +48,7 @@ TEST_CASE("every setting's text reads back as the same value", "[core]") {
 }
 
 TEST_CASE("settings are set by number and by text", "[core]") {
-  Settings settings;
+  Settings settings("bmfr");
   settings.set("noisyLeastWeight", 0.25);
   CHECK(settings.get("noisyLeastWeight") == 0.25);
   settings.set("noisyLeastWeight", "0.125");
@@ -59,7 +59,7 @@ TEST_CASE("settings are set by number and by text", "[core]") {
 }
 
 TEST_CASE("a text keeps what it was given and has no number", "[core]") {
-  Settings settings;
+  Settings settings("bmfr");
   settings.set("features", "nx, 1");
   CHECK(settings.text("features") == "nx, 1");
   CHECK(settings.get("features") == 0.0);
@@ -71,7 +71,7 @@ TEST_CASE("a text keeps what it was given and has no number", "[core]") {
 }
 
 TEST_CASE("switches take on, off, true, false, 1 and 0", "[core]") {
-  Settings settings;
+  Settings settings("bmfr");
   for (const char* on : {"on", "true", "1"}) {
     settings.set("taa", 0.0);
     settings.set("taa", on);
@@ -91,7 +91,7 @@ TEST_CASE("switches take on, off, true, false, 1 and 0", "[core]") {
 }
 
 TEST_CASE("choices are taken by name", "[core]") {
-  Settings settings;
+  Settings settings("bmfr");
   settings.set("featureStorage", "half");
   CHECK(settings.get("featureStorage") == 1.0);
   CHECK(settings.text("featureStorage") == "half");
@@ -103,7 +103,7 @@ TEST_CASE("choices are taken by name", "[core]") {
 }
 
 TEST_CASE("an unknown name is refused with the names there are", "[core]") {
-  Settings settings;
+  Settings settings("bmfr");
   const auto refusal =
       failsWith(ErrorCode::UnknownSetting, {"taaWeight", "bmfr", "noisyLeastWeight", "taaNewestWeight"});
   REQUIRE_THROWS_MATCHES(settings.set("taaWeight", 0.5), Error, refusal);
@@ -116,7 +116,7 @@ TEST_CASE("an unknown name is refused with the names there are", "[core]") {
 }
 
 TEST_CASE("a value out of range is refused with the range and leaves the old one", "[core]") {
-  Settings settings;
+  Settings settings("bmfr");
   const double before = settings.get("noisyLeastWeight");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();

@@ -17,7 +17,7 @@ void addRoughness(io::FrameData& frame) {
 }
 
 Settings makeSettings(const char* solver, const char* windows, const char* features) {
-  Settings settings;
+  Settings settings("bmfr");
   settings.set("solver", solver);
   settings.set("windows", windows);
   settings.set("features", features);

@@ -14,11 +14,13 @@ struct Run {
 // All methods, bmfr with either solver. The stop at roughness is for the glossy signal, or for the only one.
 std::vector<Run> allRuns() {
   Run gram{"bmfr gram", Settings("bmfr")}, svgf{"svgf", Settings("svgf")},
-      atrous{"atrous", Settings("atrous")};
+      atrous{"atrous", Settings("atrous")}, quell{"quell", Settings("quell")};
   gram.settings.set("solver", "gram");
   svgf.settings.set("roughnessSigma", 0.0);
   atrous.settings.set("roughnessSigma", 0.0);
-  return {{"bmfr", Settings("bmfr")}, gram, svgf, atrous};
+  quell.settings.set("roughnessSigma", 0.0);
+  quell.settings.set("sharpRoughness", 0.0);
+  return {{"bmfr", Settings("bmfr")}, gram, svgf, atrous, quell};
 }
 
 io::Image lastLinear(const io::FrameSequence& sequence, int frames, const Settings& settings,
@@ -123,7 +125,7 @@ TEST_CASE("negative emission counts as none", "[pipelines]") {
 TEST_CASE("small work-groups of the fit give the same picture", "[pipelines]") {
   const auto sequence = analyticSequence(97, 61, 2);
   for (const char* solver : {"householder", "gram"}) {
-    Settings settings("bmfr");
+    Settings settings;
     settings.set("solver", solver);
     std::string first;
     for (const int group : {64, 8, 1}) {
