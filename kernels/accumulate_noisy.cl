@@ -131,12 +131,14 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
 
   History history[QUELL_SIGNALS];
   intL mask[QUELL_SIGNALS];
+  UNROLL_ON_GPU
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     history[s] = emptyHistory();
     mask[s] = inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0);
   }
   const intL wanted = inside && surface.valid;
   if (anyLane(wanted)) {
+    UNROLL_ON_GPU
     for (int i = 0; i < 4; ++i) {
       const int offset = tapOffset(planes, i);
       const float3L positionPrev =
@@ -145,6 +147,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
           gatherLanes3(guidesPrev + QUELL_GUIDE_NORMAL * stride + offset, taps.plan, stride);
       const intL same = wanted && taps.inFrame[i] &&
                         sameSurface(params.reprojection, surface, positionPrev, normalPrev, limitSquared);
+      UNROLL_ON_GPU
       for (int s = 0; s < QUELL_SIGNALS; ++s) {
         const floatL weightPrev =
             gatherLanes(guidesPrev + (QUELL_GUIDE_WEIGHT + s) * stride + offset, taps.plan);
@@ -159,6 +162,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
     }
   }
 
+  UNROLL_ON_GPU
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL weight =
         storeBlended(normaliseHistory(history[s]), makeSample(material.signals[s], surface.valid), params,

@@ -11,6 +11,7 @@ void addCompareCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addFBetaCommand(CLI::App& app);
+void addKernelsCommand(CLI::App& app);
 void addSelectFeaturesCommand(CLI::App& app);
 void addStressCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);

@@ -18,6 +18,7 @@ int runTool(int argc, const char* const* argv) {
   addBenchCommand(app);
   addDevicesCommand(app);
   addFBetaCommand(app);
+  addKernelsCommand(app);
   addSelectFeaturesCommand(app);
   addStressCommand(app);
   addRenderCommand(app);

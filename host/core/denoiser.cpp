@@ -161,7 +161,7 @@ class Denoiser::Implementation {
     try {
       m_configuration.fBetaTable = makeFBetaTable();
       m_schedule = m_method.makeSchedule(m_configuration);
-      const KernelBuilder builder(m_context, m_device, m_cache, m_configuration);
+      const DeviceKernelBuilder builder(m_context, m_device, m_cache, m_configuration);
       for (StageRow& row : m_schedule.stages) row.stage->build(builder);
       m_buffers = BufferSet(m_context, m_queue, m_schedule, frame.size);
       warmUp();
