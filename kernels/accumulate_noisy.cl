@@ -72,8 +72,8 @@ QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
 // Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
 // as a filter tap. The pointers are those of the signal, moved to the pixel.
 QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisyParams params,
-                                 __global float* irradiance, __global float* moments,
-                                 __global uchar* length) {
+                                 __global float* irradiance, __global float* moments, __global uchar* length,
+                                 __global float* newestIrradiance, __global float* innovation) {
   const int stride = params.planes.stride;
   const intL hasHistory = history.weight > 0.0f;
   const intL lengthPrev = floorLanes(history.length + 0.5f);
@@ -82,6 +82,11 @@ QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisy
   float3L blended = add3(scale3(sample.irradiance, blend), scale3(history.irradiance, 1.0f - blend));
   blended = select3(sample.present || hasHistory, blended, splat3(0.0f));
   storeLanes3(blended, irradiance, 0, stride);
+#if INNOVATION
+  storeLanes3(select3(sample.present, sample.irradiance, blended), newestIrradiance, 0, stride);
+  const floatL step = luminance(sample.irradiance) - luminance(history.irradiance);
+  storeLanes(sample.present && hasHistory ? step : ZERO_LANES, innovation);
+#endif
 #if MOMENTS
   const floatL newest = luminance(sample.irradiance);
   const floatL momentsBlend =
@@ -104,6 +109,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
                                __global float* guides, __global float* moments, __global float* pixelPrev,
                                __global uchar* reprojectionMask, __global float* viewDepth,
                                __global float* roughness, __global float* fBetaPlanes,
+                               __global float* newestIrradiance, __global float* innovation,
                                AccumulateNoisyParams params) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
@@ -167,7 +173,8 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
     const floatL weight =
         storeBlended(normaliseHistory(history[s]), makeSample(material.signals[s], surface.valid), params,
                      irradiance + 3 * s * stride + index, moments + QUELL_MOMENT_PLANES * s * stride + index,
-                     historyLength + s * stride + index);
+                     historyLength + s * stride + index, newestIrradiance + 3 * s * stride + index,
+                     innovation + s * stride + index);
     storeLanes(weight, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
     storeByteLanes(mask[s], reprojectionMask + s * stride + index);
   }

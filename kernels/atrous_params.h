@@ -12,7 +12,9 @@ typedef struct AtrousParams {
   EdgeStopParams stops;
   QuellFloat luminanceSigma;  // in standard deviations, or in units of luminance without variance
   QuellFloat inverseStep;
-  QuellInt step;  // pixels between taps
+  QuellFloat sharpening;  // 1: the stop on luminance narrows below the roughness that follows, 0: nowhere
+  QuellFloat inverseSharpRoughness;  // 1 / that roughness
+  QuellInt step;                     // pixels between taps
 } AtrousParams;
 
 QUELL_NAMESPACE_END

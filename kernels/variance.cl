@@ -3,7 +3,8 @@
 //          "when few samples have been accumulated at a given pixel, its variance is instead computed using its
 //          neighbors by a bilateral filter with feature weights", 7x7 pixels.
 // In:      moments of luminance (2 planes per signal), history length (bytes per signal), guides, view depth.
-// Out:     variance (1 plane per signal), >= 0.
+// Out:     variance (1 plane per signal), >= 0; with OF_MEAN that of the accumulated irradiance: divided by the samples
+//          that it is worth.
 // Border:  taps outside the image are left out.
 // Departures: the spatial estimate is raised by temporalFrames / history length: the moments of one frame know less.
 #include "common/edge_stops.h"
@@ -74,6 +75,9 @@ __kernel void variance(__global const float* moments, __global const uchar* hist
       const floatL raised = (float)params.temporalFrames / TO_FLOAT(maxLanesInt(length, (intL)(1)));
       result = isShort ? spatial * raised : result;
     }
+#if OF_MEAN
+    result /= minLanes(TO_FLOAT(maxLanesInt(length, (intL)(1))), (floatL)(params.mostSamples));
+#endif
     storeLanes(result, varianceOut + s * stride + index);
   }
 }

@@ -3,12 +3,13 @@
 #include "host/methods/atrous.hpp"
 #include "host/methods/bmfr.hpp"
 #include "host/methods/method.hpp"
+#include "host/methods/quell.hpp"
 #include "host/methods/svgf.hpp"
 
 namespace quell {
 
 const std::vector<Method>& methods() {
-  static const std::vector<Method> all = {bmfrMethod(), svgfMethod(), atrousMethod()};
+  static const std::vector<Method> all = {quellMethod(), bmfrMethod(), svgfMethod(), atrousMethod()};
   return all;
 }
 

@@ -9,7 +9,8 @@ void AccumulateNoisy::build(const KernelBuilder& builder) {
   m_kernel =
       builder.build("accumulate_noisy", materialOptions(configuration) + surfaceOptions(configuration.frame) +
                                             " -D MOMENTS=" + (hasMoments() ? "1" : "0") +
-                                            " -D FILTER_GUIDES=" + (m_setup.filterGuides ? "1" : "0"));
+                                            " -D FILTER_GUIDES=" + (m_setup.filterGuides ? "1" : "0") +
+                                            " -D INNOVATION=" + (m_setup.innovation ? "1" : "0"));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
@@ -33,7 +34,9 @@ void AccumulateNoisy::enqueue(FrameRun& run) {
              bufferIf(hasMoments(), "moments.prev"), run.buffer("irradiance"), run.buffer("historyLength"),
              run.buffer("guides"), bufferIf(hasMoments(), "moments"), run.buffer("pixelPrev"),
              run.buffer("reprojectionMask"), bufferIf(m_setup.filterGuides, "viewDepth"),
-             bufferIf(roughness, "roughness"), bufferIf(dividesByFBeta(run.configuration), "fBeta"), params);
+             bufferIf(roughness, "roughness"), bufferIf(dividesByFBeta(run.configuration), "fBeta"),
+             bufferIf(m_setup.innovation, "newestIrradiance"), bufferIf(m_setup.innovation, "innovation"),
+             params);
 }
 
 std::uint64_t AccumulateNoisy::callerBytes(const Configuration& configuration) const {

@@ -14,6 +14,7 @@ class AccumulateNoisy : public Stage {
     double momentsLeastWeight = 0.0;                 ///< the same for the moments; 0: no moments
     std::string irradiancePrev = "irradiance.prev";  ///< the buffer that the history comes from
     bool filterGuides = false;                       ///< view depth and roughness for edge stops
+    bool innovation = false;                         ///< newest sample and its difference to the history
   };
   explicit AccumulateNoisy(Setup setup) : m_setup(std::move(setup)) {}
   std::string name() const override { return "accumulate_noisy"; }

@@ -18,6 +18,9 @@ class Atrous : public Stage {
     std::string output;
     std::string variance;     ///< empty: none
     std::string varianceOut;  ///< empty only without variance
+    int radius = 2;           ///< 2: 5x5 taps, 1: 3x3
+    /// Roughness below which the stop on luminance narrows, to half its width at 0; 0: nowhere.
+    double sharpRoughness = 0.0;
   };
   explicit Atrous(Setup setup) : m_setup(std::move(setup)) {}
   std::string name() const override { return "atrous"; }
@@ -26,8 +29,8 @@ class Atrous : public Stage {
   std::uint64_t callerBytes(const Configuration&) const override { return 0; }
 
  private:
-  bool stopsAtRoughness(const Frame& frame) const {
-    return frame.roughness.present() && m_setup.stops.roughnessSigma > 0.0;
+  bool readsRoughness(const Frame& frame) const {
+    return frame.roughness.present() && (m_setup.stops.roughnessSigma > 0.0 || m_setup.sharpRoughness > 0.0);
   }
 
   Setup m_setup;

@@ -10,16 +10,20 @@ namespace quell {
 /// See kernels/variance.cl for what it computes, from what and after which paper.
 class Variance : public Stage {
  public:
-  /// `temporalFrames`: history length from which on the variance over time is trusted, 1 to 255.
-  Variance(const EdgeStops& stops, int temporalFrames) : m_stops(stops), m_temporalFrames(temporalFrames) {}
+  struct Setup {
+    EdgeStops stops;
+    int temporalFrames = 4;  ///< history length from which on the variance over time is trusted, 1 to 255
+    double leastWeight =
+        0.0;  ///< that of the newest sample: variance of the mean; 0: variance of the samples
+  };
+  explicit Variance(const Setup& setup) : m_setup(setup) {}
   std::string name() const override { return "variance"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
   std::uint64_t callerBytes(const Configuration&) const override { return 0; }
 
  private:
-  EdgeStops m_stops;
-  int m_temporalFrames;
+  Setup m_setup;
   cl::Kernel m_kernel;
   cl::NDRange m_workGroup;
 };

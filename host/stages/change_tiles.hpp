@@ -1,0 +1,27 @@
+// What the stages that follow changes of light share: settings and the grid of tiles.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <quell/image_view.hpp>
+
+#include "kernels/change_params.h"
+
+namespace quell {
+
+struct ChangeDetection {
+  double leastWeight = 0.2;         ///< least weight of the newest sample where nothing changes, (0, 1]
+  double momentsLeastWeight = 0.2;  ///< the same for the moments
+  double mostWeight = 1.0;          ///< largest weight of the newest sample, (0, 1]
+  double threshold = 2.0;           ///< standard deviations below which a difference counts as noise
+  double gain = 4.0;       ///< excess of the squared deviation at which the weight is half of mostWeight
+  double sumsKept = 0.25;  ///< share of the frame before in the sums, [0, 1)
+};
+
+ChangeParams makeChangeParams(const ChangeDetection& detection, Size size);
+/// Work-items of a kernel that takes one a tile.
+std::array<std::size_t, 2> tileRange(const ChangeParams& params);
+/// Tiles of an image, all signals together.
+std::size_t changeTileCount(Size size, int signals);
+
+}  // namespace quell

@@ -1,0 +1,42 @@
+// Parameters and records of the stages change_sums, change_weight and follow_change.
+#ifndef QUELL_CHANGE_PARAMS_H
+#define QUELL_CHANGE_PARAMS_H
+
+#include "common/types.h"
+
+QUELL_NAMESPACE_BEGIN
+
+typedef struct ChangeParams {
+  PlaneParams planes;
+  QuellInt tilesX;
+  QuellInt tilesY;
+  QuellFloat sumsKept;            // share of the sums of the frame before that is kept, [0, 1)
+  QuellFloat thresholdSquared;    // deviation squared, in variances, up to which a difference counts as noise
+  QuellFloat gain;                // excess over it at which the weight is half of mostWeight, > 0
+  QuellFloat mostWeight;          // largest weight of the newest sample, (0, 1]
+  QuellFloat leastWeight;         // as in accumulate_noisy
+  QuellFloat momentsLeastWeight;  // as in accumulate_noisy
+} ChangeParams;
+
+QUELL_NAMESPACE_END
+
+// Edge of a tile, pixels.
+#define QUELL_CHANGE_TILE 8
+
+// A tile's record, per signal: pixels that could be compared, sum of their differences and of the squares of these.
+#define QUELL_CHANGE_COUNT 0
+#define QUELL_CHANGE_SUM 1
+#define QUELL_CHANGE_SQUARES 2
+#define QUELL_CHANGE_RECORD 3
+
+// Windows are tents over 3x3 and 5x5 tiles: the small one sees where the light changed, the large one how faintly.
+#define QUELL_CHANGE_SMALL_WINDOW 1
+#define QUELL_CHANGE_LARGE_WINDOW 2
+
+// A window with less than this share of its pixels compared says nothing about change.
+#define QUELL_CHANGE_LEAST_SHARE 0.0625f
+
+// Least spread of the differences, luminance squared: where all are equal there is no noise to compare with.
+#define QUELL_CHANGE_LEAST_SPREAD 1e-12f
+
+#endif

@@ -1,0 +1,59 @@
+// change_sums: per tile of 8x8 pixels, how far the newest samples lie from the history that they were blended into.
+// Source:  ours. Fast against slow history, over tiles, is how others notice changed light without rays of its own
+//          (Zhdan 2021, ReBLUR and ReLAX); here the noise of the difference is measured along with it.
+// In:      innovation (1 plane per signal: luminance of the sample minus that of its history), history length (bytes
+//          per signal; 1 or less: no history), sums of the frame before.
+// Out:     per signal and tile: pixels compared, sum and sum of squares of their differences, plus the share sumsKept
+//          of the sums of the frame before. Tiles do not move with the camera: a tile is wide against one frame's
+//          motion, and what is kept fades.
+// Border:  pixels outside the image are left out.
+// Grid:    one work-item a tile.
+#include "change_params.h"
+#include "common/planes.h"
+
+typedef struct TileSums {
+  float8 count;
+  float8 sum;
+  float8 squares;
+} TileSums;
+
+QUELL_INLINE TileSums addRow(TileSums sums, __global const float* innovation,
+                             __global const uchar* historyLength, int8 inside) {
+  const int8 compared = inside && convert_int8(vload8(0, historyLength)) > 1;
+  const float8 difference = compared ? vload8(0, innovation) : (float8)(0.0f);
+  sums.count += compared ? (float8)(1.0f) : (float8)(0.0f);
+  sums.sum += difference;
+  sums.squares += difference * difference;
+  return sums;
+}
+
+QUELL_INLINE float total(float8 v) {
+  const float4 pairs = v.lo + v.hi;
+  return (pairs.x + pairs.y) + (pairs.z + pairs.w);
+}
+
+__kernel void change_sums(__global const float* innovation, __global const uchar* historyLength,
+                          __global const float* sumsPrev, __global float* sums, ChangeParams params) {
+  const PlaneParams planes = params.planes;
+  const int tileX = (int)get_global_id(0);
+  const int tileY = (int)get_global_id(1);
+  if (tileX >= params.tilesX || tileY >= params.tilesY) return;
+  const int x = tileX * QUELL_CHANGE_TILE;
+  const int y = tileY * QUELL_CHANGE_TILE;
+  const int8 inside = x + (int8)(0, 1, 2, 3, 4, 5, 6, 7) < planes.width;
+  const int tiles = params.tilesX * params.tilesY;
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    TileSums tile = {(float8)(0.0f), (float8)(0.0f), (float8)(0.0f)};
+    for (int row = 0; row < QUELL_CHANGE_TILE; ++row) {
+      if (y + row >= planes.height) break;
+      const int index = planeIndex(planes, x, y + row) + s * planes.stride;
+      tile = addRow(tile, innovation + index, historyLength + index, inside);
+    }
+    const int record = (s * tiles + tileY * params.tilesX + tileX) * QUELL_CHANGE_RECORD;
+    __global const float* before = sumsPrev + record;
+    sums[record + QUELL_CHANGE_COUNT] = total(tile.count) + params.sumsKept * before[QUELL_CHANGE_COUNT];
+    sums[record + QUELL_CHANGE_SUM] = total(tile.sum) + params.sumsKept * before[QUELL_CHANGE_SUM];
+    sums[record + QUELL_CHANGE_SQUARES] =
+        total(tile.squares) + params.sumsKept * before[QUELL_CHANGE_SQUARES];
+  }
+}

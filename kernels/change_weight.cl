@@ -1,0 +1,66 @@
+// change_weight: the weight that the newest samples deserve in a tile, from how surely its light has changed.
+// Source:  ours. Over a window the mean difference d between samples and history has the variance v of a mean of
+//          independent differences; d^2 / v is 1 on average where nothing changed. What exceeds the threshold is taken
+//          for the squared bias b^2 of the history, in the same units. The mean squared error of a blend,
+//          (1 - w)^2 b^2 + w^2 c, is least at w = b^2 / (b^2 + c); c, the noise that one frame has left after the
+//          filter, is the setting changeGain.
+// In:      sums of change_sums. Out: weight (1 float per tile and signal), [0, mostWeight]; the largest of two windows.
+// Grid:    one work-item a tile.
+// Scale:   differences of any brightness give the same weight.
+#include "change_params.h"
+#include "common/lanes.h"
+
+// A weighted mean over the tiles around a tile: the weights of a tent, the pixels in each tile.
+typedef struct WindowSums {
+  float weight;         // of all pixels
+  float weightSquares;  // of all pixels
+  float fullWeight;     // as if all pixels of all tiles had been compared
+  float sum;
+  float squares;
+} WindowSums;
+
+QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams params, int tileX, int tileY,
+                                  int radius) {
+  WindowSums window = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+  for (int dy = -radius; dy <= radius; ++dy) {
+    const int row = tileY + dy;
+    if (row < 0 || row >= params.tilesY) continue;
+    for (int dx = -radius; dx <= radius; ++dx) {
+      const int column = tileX + dx;
+      if (column < 0 || column >= params.tilesX) continue;
+      const float tent = (float)((radius + 1 - abs(dx)) * (radius + 1 - abs(dy)));
+      __global const float* tile = sums + (row * params.tilesX + column) * QUELL_CHANGE_RECORD;
+      window.weight += tent * tile[QUELL_CHANGE_COUNT];
+      window.weightSquares += tent * tent * tile[QUELL_CHANGE_COUNT];
+      window.fullWeight += tent * (float)(QUELL_CHANGE_TILE * QUELL_CHANGE_TILE);
+      window.sum += tent * tile[QUELL_CHANGE_SUM];
+      window.squares += tent * tile[QUELL_CHANGE_SQUARES];
+    }
+  }
+  return window;
+}
+
+QUELL_INLINE float weightOf(WindowSums window, ChangeParams params) {
+  if (window.weight < QUELL_CHANGE_LEAST_SHARE * window.fullWeight) return 0.0f;
+  const float mean = window.sum / window.weight;
+  const float spread = max(window.squares / window.weight - mean * mean, QUELL_CHANGE_LEAST_SPREAD);
+  const float variance = spread * (window.weightSquares / (window.weight * window.weight));
+  const float excess = max(mean * mean / variance - params.thresholdSquared, 0.0f);
+  // A difference of the largest radiance over a spread of nothing is still finite: 65504^2 / 1e-12 times the pixels.
+  return params.mostWeight * (excess / (excess + params.gain));
+}
+
+__kernel void change_weight(__global const float* sums, __global float* weights, ChangeParams params) {
+  const int tileX = (int)get_global_id(0);
+  const int tileY = (int)get_global_id(1);
+  if (tileX >= params.tilesX || tileY >= params.tilesY) return;
+  const int tiles = params.tilesX * params.tilesY;
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    __global const float* signalSums = sums + s * tiles * QUELL_CHANGE_RECORD;
+    const float small =
+        weightOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_SMALL_WINDOW), params);
+    const float large =
+        weightOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_LARGE_WINDOW), params);
+    weights[s * tiles + tileY * params.tilesX + tileX] = max(small, large);
+  }
+}

@@ -1,0 +1,92 @@
+// follow_change: gives the newest sample more weight in its history where the light has changed, and shortens that
+//          history to what it is still worth.
+// Source:  ours; the weights are those of change_weight, interpolated between the centres of tiles.
+// In:      weights (1 float per tile and signal), newest irradiance (3 planes per signal; where there was no sample,
+//          the blended one).
+// In/out:  irradiance (3 planes per signal), moments of luminance (2 planes per signal) and history length (bytes per
+//          signal) as accumulate_noisy left them. Where the weight there was as large, nothing is touched.
+// Border:  weights beyond the last centre of a tile stay constant.
+#include "change_params.h"
+#include "common/guides.h"
+#include "common/luminance.h"
+#include "common/planes.h"
+
+// Tiles around each pixel, and where it lies between their centres.
+typedef struct TileMix {
+  GatherPlan left;
+  GatherPlan right;
+  int top;     // element of the upper row of tiles
+  int bottom;  // and of the lower
+  floatL fractionX;
+  float fractionY;
+} TileMix;
+
+QUELL_INLINE TileMix mixTiles(ChangeParams params, int x, int y) {
+  const floatL u = (TO_FLOAT(x + LANE_INDEX) + 0.5f) * (1.0f / QUELL_CHANGE_TILE) - 0.5f;
+  const float v = ((float)y + 0.5f) * (1.0f / QUELL_CHANGE_TILE) - 0.5f;
+  const intL column = floorLanes(u);
+  const int row = (int)floor(v);
+  TileMix mix;
+  mix.left = planGather(minLanesInt(maxLanesInt(column, (intL)(0)), (intL)(params.tilesX - 1)));
+  mix.right = planGather(minLanesInt(column + 1, (intL)(params.tilesX - 1)));
+  mix.top = max(row, 0) * params.tilesX;
+  mix.bottom = min(row + 1, params.tilesY - 1) * params.tilesX;
+  mix.fractionX = u - TO_FLOAT(column);
+  mix.fractionY = v - (float)row;
+  return mix;
+}
+
+QUELL_INLINE floatL mixedWeight(__global const float* weights, TileMix mix) {
+  const float below = mix.fractionY;
+  const floatL left = gatherLanes(weights + mix.top, mix.left) * (1.0f - below) +
+                      gatherLanes(weights + mix.bottom, mix.left) * below;
+  const floatL right = gatherLanes(weights + mix.top, mix.right) * (1.0f - below) +
+                       gatherLanes(weights + mix.bottom, mix.right) * below;
+  return left + mix.fractionX * (right - left);
+}
+
+// Share of the way from what was blended with weight `given` to the newest sample that makes it the weight `wanted`.
+QUELL_INLINE floatL shareFor(floatL wanted, floatL given) {
+  const floatL raised = maxLanes(wanted, given);
+  return given < 1.0f ? (raised - given) / (1.0f - given) : ZERO_LANES;
+}
+
+QUELL_INLINE floatL towards(floatL value, floatL newest, floatL share) {
+  return value + share * (newest - value);
+}
+
+__kernel void follow_change(__global const float* weights, __global const float* newestIrradiance,
+                            __global float* irradiance, __global float* moments,
+                            __global uchar* historyLength, ChangeParams params) {
+  const PlaneParams planes = params.planes;
+  const int stride = planes.stride;
+  const int x = (int)get_global_id(0) * QUELL_LANES;
+  const int y = (int)get_global_id(1);
+  if (x >= planes.width || y >= planes.height) return;
+  const int index = planeIndex(planes, x, y);
+  const TileMix mix = mixTiles(params, x, y);
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    const floatL wanted = mixedWeight(weights + s * params.tilesX * params.tilesY, mix);
+    if (!anyLane(wanted > params.leastWeight)) continue;
+    __global uchar* length = historyLength + s * stride + index;
+    const intL frames = loadByteLanes(length);
+    const floatL cumulative = 1.0f / TO_FLOAT(maxLanesInt(frames, (intL)(1)));
+    const floatL given = maxLanes(cumulative, (floatL)(params.leastWeight));
+    const floatL share = shareFor(wanted, given);
+    const float3L newest = loadLanes3(newestIrradiance + 3 * s * stride, index, stride);
+    float3L blended = loadLanes3(irradiance + 3 * s * stride, index, stride);
+    blended.x = towards(blended.x, newest.x, share);
+    blended.y = towards(blended.y, newest.y, share);
+    blended.z = towards(blended.z, newest.z, share);
+    storeLanes3(blended, irradiance + 3 * s * stride, index, stride);
+
+    const floatL momentsShare = shareFor(wanted, maxLanes(cumulative, (floatL)(params.momentsLeastWeight)));
+    const floatL newestLuminance = luminance(newest);
+    __global float* first = moments + (QUELL_MOMENT_PLANES * s + QUELL_MOMENT_FIRST) * stride + index;
+    __global float* second = moments + (QUELL_MOMENT_PLANES * s + QUELL_MOMENT_SECOND) * stride + index;
+    storeLanes(towards(loadLanes(first), newestLuminance, momentsShare), first);
+    storeLanes(towards(loadLanes(second), newestLuminance * newestLuminance, momentsShare), second);
+    const intL worth = floorLanes(1.0f / maxLanes(wanted, given) + 0.5f);
+    storeByteLanes(minLanesInt(frames, worth), length);
+  }
+}
