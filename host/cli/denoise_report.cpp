@@ -46,32 +46,38 @@ void addTimings(json& result, const Timings& timings) {
   result["stages"] = json::array();
   for (const StageTimings& stage : timings.stages) {
     result["stages"].push_back({{"name", stage.stage},
+                                {"label", stage.label},
                                 {"median_ms", stage.time.medianMs},
                                 {"min_ms", stage.time.minMs},
                                 {"max_ms", stage.time.maxMs},
                                 {"bytes", stage.bytesMoved}});
+    if (stage.skippedShare) result["stages"].back()["skipped_share"] = *stage.skippedShare;
   }
 }
 
 void printRow(const std::string& name, const TimeStatistics& time, std::uint64_t bytes,
               const DenoiseReport& report) {
   const double gbs = gigabytesPerSecond(bytes, time);
-  fmt::print("  {:<24}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.1f}{:>8.1f}", name, time.medianMs, time.minMs, time.maxMs,
+  fmt::print("  {:<32}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.1f}{:>8.1f}", name, time.medianMs, time.minMs, time.maxMs,
              static_cast<double>(bytes) * 1e-6, gbs);
   if (report.copyMs)
     fmt::print("{:>8.1f}{:>7.0f} %", time.medianMs / *report.copyMs, 100.0 * gbs / *report.copyGbs);
   fmt::print("\n");
 }
 
+std::string skippedText(const StageTimings& stage) {
+  return stage.skippedShare ? fmt::format(", {:.0f} % skipped", 100.0 * *stage.skippedShare) : "";
+}
+
 void printTimings(const DenoiseReport& report) {
   const Timings& timings = *report.timings;
-  fmt::print("\n  {:<24}{:>9}{:>9}{:>9}{:>9}{:>8}",
+  fmt::print("\n  {:<32}{:>9}{:>9}{:>9}{:>9}{:>8}",
              fmt::format("stage ({} time, ms)", toString(timings.source)), "median", "min", "max", "MB",
              "GB/s");
   if (report.copyMs) fmt::print("{:>8}{:>9}", "copies", "of copy");
   fmt::print("\n");
   for (const StageTimings& stage : timings.stages)
-    printRow(stage.stage, stage.time, stage.bytesMoved, report);
+    printRow(stage.label + skippedText(stage), stage.time, stage.bytesMoved, report);
   const StageTimings sum = sumOfStages(timings);
   printRow(sum.stage, sum.time, sum.bytesMoved, report);
   printRow("frame, gaps included", timings.frame, sum.bytesMoved, report);

@@ -191,7 +191,13 @@ class Denoiser::Implementation {
 
   MemoryUse memoryUse() const { return m_buffers.memoryUse(); }
 
-  Timings timings() { return m_timer ? m_timer->collect() : Timings{}; }
+  Timings timings() {
+    if (!m_timer) return {};
+    Timings timings = m_timer->collect();
+    for (std::size_t i = 0; i < timings.stages.size(); ++i)
+      timings.stages[i].label = m_schedule.stages[i].stage->label();
+    return timings;
+  }
 
   void clearTimings() {
     if (m_timer) m_timer->clear();

@@ -118,6 +118,8 @@ class Stage {
   virtual ~Stage() = default;
   /// The stem: names the kernel file, this class's file, the oracle, the test and the bench entry.
   virtual std::string name() const = 0;
+  /// The name, with what tells this stage from others of that name in a method; for reports.
+  virtual std::string label() const { return name(); }
   /// Compiles the stage's kernels.
   virtual void build(const KernelBuilder& builder) = 0;
   /// Enqueues the stage's kernels for one frame.

@@ -116,7 +116,7 @@ Image toImage(const Decoder& decoder) {
 
 }  // namespace
 
-void writePng(const std::string& path, const Image& rgbEncoded) {
+std::vector<unsigned char> encodePng(const std::string& path, const Image& rgbEncoded) {
   if (rgbEncoded.empty() || rgbEncoded.channels != kChannels)
     throw Error(ErrorCode::InvalidArgument, {"write PNG", path, "an image of 3 channels",
                                              fmt::format("{}x{} pixels of {} channels", rgbEncoded.width,
@@ -133,7 +133,13 @@ void writePng(const std::string& path, const Image& rgbEncoded) {
   std::vector<png_byte> file(size);
   if (!png_image_write_to_memory(&png, file.data(), &size, 0, samples.data(), 0, nullptr))
     throwFileError("write PNG", path, "to encode the picture", png.message);
-  writeBinaryFile(path, file.data(), size);
+  file.resize(size);
+  return file;
+}
+
+void writePng(const std::string& path, const Image& rgbEncoded) {
+  const std::vector<unsigned char> file = encodePng(path, rgbEncoded);
+  writeBinaryFile(path, file.data(), file.size());
 }
 
 Image readPng(const std::string& path) {
