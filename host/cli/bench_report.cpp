@@ -129,8 +129,9 @@ std::string csvErrors(const metrics::ErrorFigures& figures) {
 
 // The cells from `label` to `bound_ms`, each after its comma.
 std::string csvStage(const BenchRun& run, const StageTimings& stage, const BenchResult& result) {
+  const double operations = operationsOf(run, stage, result);
   return fmt::format(",{},{},{},{:.6g}", csvCell(stage.label), csvNumber(stage.skippedShare),
-                     csvNumber(operationsOf(run, stage, result)), boundMs(run, stage, result));
+                     operations > 0.0 ? csvNumber(operations) : "", boundMs(run, stage, result));
 }
 
 // The cells from `sweep` to `build_cached_ms`, each after its comma.

@@ -1,8 +1,8 @@
 // Charts as plain SVG.
 
-// Okabe and Ito's eight colours, told apart with every kind of colour vision; black and yellow replaced by greys
-// that show on light and dark.
-const COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f", "#b2df8a"];
+// The first six are Okabe and Ito's, told apart with every kind of colour vision; more follow for long lists.
+const COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00",
+                "#7f7f7f", "#b2df8a", "#8c564b", "#9467bd", "#bcbd22", "#f7b6d2"];
 const colorOf = index => COLORS[index % COLORS.length];
 
 function element(name, attributes, ...children) {

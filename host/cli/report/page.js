@@ -33,16 +33,16 @@ function note(text) {
   return p;
 }
 
-function showPareto() {
-  const metric = byId("metric").value;
+function paretoOf(runs, metric) {
   const methods = [...new Set(RESULTS.runs.map(run => run.method))];
-  const points = mainRuns().map(run => ({
+  const points = runs.map(run => ({
     x: run.frame_ms.median, y: errorOf(run, metric), name: run.run, color: methods.indexOf(run.method),
     text: `${run.run}: ${short(run.frame_ms.median)} ms, ${METRICS[metric]} ${errorOf(run, metric)}`,
   })).filter(p => p.y !== null);
-  replace("#pareto .chart", points.length ? scatter(points, "ms per frame", METRICS[metric])
-                                          : note("This sequence has no references."));
+  return points.length ? scatter(points, "ms per frame", METRICS[metric]) : note("This sequence has no references.");
 }
+
+function showPareto() { replace("#pareto .chart", paretoOf(mainRuns(), byId("metric").value)); }
 
 function stageText(stage, run) {
   const share = stage.skipped_share === undefined ? "" : `, ${Math.round(100 * stage.skipped_share)} % of the tiles skipped`;
@@ -51,12 +51,14 @@ function stageText(stage, run) {
       `bandwidth, at best ${short(stage.bound_ms)} ms${share} (${run.run})`;
 }
 
-function showStages() {
-  replace("#stages .chart", stackedBars(mainRuns().map(run => ({
+function stagesOf(runs) {
+  return stackedBars(runs.map(run => ({
     name: run.run,
     parts: run.stages.map(stage => ({name: stage.name, value: stage.median_ms, text: stageText(stage, run)})),
-  })), "ms"));
+  })), "ms");
 }
+
+function showStages() { replace("#stages .chart", stagesOf(mainRuns())); }
 
 function showFrames() {
   const metric = byId("metric").value, runs = mainRuns();
@@ -70,43 +72,57 @@ function showFrames() {
   replace("#frame-errors", errors.length ? lines(errors, "frame", METRICS[metric]) : note("No errors of single frames."));
 }
 
-// What a sweep varies is its x axis: the setting with the most values, or the size.
-function sweepAxis(runs) {
-  const valuesOf = setting => new Set(runs.map(run => run.assignments[setting]));
+// Settings that take different values within a sweep.
+function variedSettings(runs) {
   const settings = [...new Set(runs.flatMap(run => Object.keys(run.assignments)))];
-  if (!settings.length) return {name: "megapixels", of: run => run.width * run.height / 1e6, without: () => ""};
-  const own = runs.length ? settings.sort((a, b) => valuesOf(b).size - valuesOf(a).size)[0] : "";
-  const numeric = runs.every(run => Object.values(run.assignments).some(v => v !== "" && !isNaN(v)));
-  const order = [...valuesOf(own)];
-  const numberOf = run => Object.values(run.assignments).map(Number).find(v => !isNaN(v));
+  return settings.filter(setting => new Set(runs.map(run => run.assignments[setting])).size > 2);
+}
+
+// The x axis of a sweep: the size, or the values of its longest setting (numbers, or their place in the list); null
+// where a sweep only compares a few choices.
+function sweepAxis(runs, sweep) {
+  if (sweep === "sizes") return {name: "megapixels", of: run => run.width * run.height / 1e6, varied: []};
+  const varied = variedSettings(runs);
+  const values = [...new Set(runs.map(run => varied.map(setting => run.assignments[setting]).find(v => v !== undefined)))];
+  if (values.length < 4) return null;
+  const valueOf = run => varied.map(setting => run.assignments[setting]).find(v => v !== undefined);
+  const numeric = values.every(value => value !== undefined && !isNaN(value));
   return {
-    name: numeric ? [...new Set(settings.filter(s => runs.some(r => r.assignments[s] && !isNaN(r.assignments[s]))))].join(", ")
-                  : `${own}: ${order.map((v, i) => `${i + 1} = ${v}`).join("; ")}`,
-    of: run => numeric ? numberOf(run) : order.indexOf(run.assignments[own]) + 1,
-    without: run => Object.entries(run.assignments).filter(([s, v]) => s !== own && isNaN(v)).map(p => p.join("=")).join(" "),
+    name: numeric ? varied.join(", ") : values.map((value, i) => `${i + 1}: ${value}`).join("   "),
+    of: run => numeric ? Number(valueOf(run)) : values.indexOf(valueOf(run)) + 1,
+    varied,
   };
 }
 
 function sweepSeries(runs, axis, value) {
   const series = {};
   for (const run of runs) {
-    const y = value(run);
-    if (y !== null) (series[`${run.method} ${axis.without(run)}`.trim()] ??= []).push([axis.of(run), y]);
+    const others = Object.entries(run.assignments).filter(([setting]) => !axis.varied.includes(setting));
+    const name = [run.method, ...others.map(pair => pair.join("="))].join(" ");
+    if (value(run) !== null) (series[name] ??= []).push([axis.of(run), value(run)]);
   }
   return Object.entries(series).map(([name, points]) => ({name, points: points.sort((a, b) => a[0] - b[0])}));
 }
 
+// Lines over the values of a setting, or one dot for each choice.
+function sweepCharts(runs, sweep, metric) {
+  const axis = sweepAxis(runs, sweep);
+  if (!axis) return runs.some(run => errorOf(run, metric) !== null) ? [paretoOf(runs, metric)] : [stagesOf(runs)];
+  const perPixel = sweep === "sizes";
+  const time = run => run.frame_ms.median / (perPixel ? axis.of(run) : 1);
+  const charts = [lines(sweepSeries(runs, axis, time), axis.name, perPixel ? "ms per megapixel" : "ms per frame")];
+  const errors = sweepSeries(runs, axis, run => errorOf(run, metric));
+  if (errors.length) charts.push(lines(errors, axis.name, METRICS[metric]));
+  return charts;
+}
+
 function showSweeps() {
-  const metric = byId("metric").value, nodes = [];
+  const nodes = [];
   for (const sweep of [...new Set(RESULTS.runs.map(run => run.sweep).filter(Boolean))]) {
-    const runs = RESULTS.runs.filter(run => run.sweep === sweep), axis = sweepAxis(runs);
+    const runs = RESULTS.runs.filter(run => run.sweep === sweep);
     const title = document.createElement("h3");
     title.textContent = sweep === "sizes" ? "sizes (built-in sequence)" : `${sweep} (${keyOf(runs[0])})`;
-    const perPixel = sweep === "sizes";
-    nodes.push(title, lines(sweepSeries(runs, axis, run => run.frame_ms.median / (perPixel ? axis.of(run) : 1)),
-                            axis.name, perPixel ? "ms per megapixel" : "ms per frame"));
-    const errors = sweepSeries(runs, axis, run => errorOf(run, metric));
-    if (!perPixel && errors.length) nodes.push(lines(errors, axis.name, METRICS[metric]));
+    nodes.push(title, ...sweepCharts(runs, sweep, byId("metric").value));
   }
   byId("sweeps").hidden = !nodes.length;
   replace("#sweeps .chart", ...nodes);
@@ -140,8 +156,8 @@ function showModel() {
   byId("model").hidden = !model.rows.length;
   byId("model-note").textContent = model.note;
   showTable(document.querySelector("#model table"), ["run at 1280x720", ...model.gpus.map(gpu => gpu.name)],
-            model.rows.map(row => [row.run, ...row.ms.map((ms, i) => row.published[i] ? `${ms.toFixed(2)} ms (published: ${row.published[i]})`
-                                                                                       : `${ms.toFixed(2)} ms`)]));
+            model.rows.map(row => [row.run, ...row.ms.map((ms, i) => row.published[i] ? `${ms.toFixed(2)} ms\npublished: ${row.published[i].replace("; ", "\n")}`
+                                                                                      : `${ms.toFixed(2)} ms`)]));
 }
 
 let comparer = null;
