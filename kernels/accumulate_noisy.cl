@@ -3,21 +3,24 @@
 //          also the temporal accumulation of Schied et al. 2017 (Flatval 2020, ch. 3.2: the second moment "is blended
 //          and accumulated just like the light samples").
 // In:      the caller's radiance (or diffuse and glossy radiance), normal, position (or view depth), optional emission,
-//          albedo, gloss colour and roughness, any layout; irradiance, history length, guides and moments of the
-//          frame before.
+//          albedo, gloss colour, roughness, motion vectors and object ids, any layout; irradiance, history length,
+//          guides, moments and object ids of the frame before.
 // Out:     per signal: irradiance (3 planes), history length (bytes), reprojection mask (bytes) and, with MOMENTS, the
 //          moments of luminance (2 planes); guides (see common/guides.h); pixel index in the frame before (2 planes);
 //          F_beta (3 planes) where light is divided by it;
-//          with FILTER_GUIDES view depth (1 plane) and, where the caller has it, roughness (1 plane).
+//          with FILTER_GUIDES view depth (1 plane) and, where the caller has it, roughness (1 plane); where the caller
+//          has them, object ids (1 plane).
 // Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded: a cumulative mean
 //          first, an exponential one later.
 // Departures: history is double-buffered (the reference reads and overwrites it in one kernel); a NaN or Inf in
 //          radiance or emission is a missing sample: the pixel keeps its history, or becomes a hole that the filter
 //          fills; one in position or normal makes it pass through; positions are
-//          relative to the camera; see common/reprojection.h and common/demodulation.h for the rest.
+//          relative to the camera; see common/reprojection.h, common/motion_images.h and common/demodulation.h for
+//          the rest.
 #include "accumulate_noisy_params.h"
 #include "common/filter_input.h"
 #include "common/luminance.h"
+#include "common/motion_images.h"
 #include "common/surface_images.h"
 
 typedef struct History {
@@ -102,11 +105,12 @@ QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisy
   return (sample.present || hasHistory) ? (sample.present ? sample.weight : ONE_LANES) : ZERO_LANES;
 }
 
-__kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARGUMENTS,
+__kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARGUMENTS, MOTION_ARGUMENTS,
                                __global const float* irradiancePrev, __global const uchar* historyLengthPrev,
                                __global const float* guidesPrev, __global const float* momentsPrev,
-                               __global float* irradiance, __global uchar* historyLength,
-                               __global float* guides, __global float* moments, __global float* pixelPrev,
+                               __global const int* objectIdsPrev, __global float* irradiance,
+                               __global uchar* historyLength, __global float* guides, __global float* moments,
+                               __global int* objectIds, __global float* pixelPrev,
                                __global uchar* reprojectionMask, __global float* viewDepth,
                                __global float* roughness, __global float* fBetaPlanes,
                                __global float* newestIrradiance, __global float* innovation,
@@ -126,12 +130,10 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
   keepFBeta(fBeta, fBetaPlanes, index, stride);
   const Material material = LOAD_MATERIAL(params.material, fBeta, x, y, lanes);
 
-  // Background moves like a point at infinity: only TAA uses where it was.
-  const float3L ray = viewRay(params.reprojection, TO_FLOAT(x + LANE_INDEX), (floatL)((float)y));
-  const float3L target = select3(surface.valid, surface.position, ray);
   floatL xPrev, yPrev;
-  const intL inside =
-      reproject(params.reprojection, target, !surface.valid, planes.width, planes.height, &xPrev, &yPrev);
+  const intL inside = findPrevious(params.reprojection, motionData, params.motion, planes, surface, x, y,
+                                   lanes, &xPrev, &yPrev);
+  const intL objectId = loadObjectId(objectIdData, params.motion, x, y, lanes);
   const BilinearTaps taps = bilinearTaps(planes, xPrev, yPrev);
   const floatL limitSquared = positionLimitSquared(params.reprojection, surface);
 
@@ -152,7 +154,8 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
       const float3L normalPrev =
           gatherLanes3(guidesPrev + QUELL_GUIDE_NORMAL * stride + offset, taps.plan, stride);
       const intL same = wanted && taps.inFrame[i] &&
-                        sameSurface(params.reprojection, surface, positionPrev, normalPrev, limitSquared);
+                        sameHistory(params.reprojection, surface, objectId, positionPrev, normalPrev,
+                                    objectIdsPrev + offset, taps.plan, limitSquared);
       UNROLL_ON_GPU
       for (int s = 0; s < QUELL_SIGNALS; ++s) {
         const floatL weightPrev =
@@ -180,6 +183,9 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
   }
   storeLanes3(surface.position, guides + QUELL_GUIDE_POSITION * stride, index, stride);
   storeLanes3(surface.normal, guides + QUELL_GUIDE_NORMAL * stride, index, stride);
+#if OBJECTID_FORMAT
+  storeIntLanes(objectId, objectIds + index);
+#endif
   storeLanes(xPrev, pixelPrev + index);
   storeLanes(yPrev, pixelPrev + index + stride);
 #if FILTER_GUIDES

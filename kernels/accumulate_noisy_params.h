@@ -4,6 +4,7 @@
 
 #include "common/guides.h"
 #include "common/material_params.h"
+#include "common/motion_params.h"
 #include "common/reprojection_params.h"
 #include "common/surface_params.h"
 #include "common/types.h"
@@ -15,6 +16,7 @@ typedef struct AccumulateNoisyParams {
   PlaneParams planes;
   MaterialParams material;
   SurfaceParams surface;
+  MotionParams motion;
   QuellFloat leastWeight;         // least weight of the newest sample, (0, 1]
   QuellFloat momentsLeastWeight;  // the same for the moments of luminance
 } AccumulateNoisyParams;

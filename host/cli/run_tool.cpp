@@ -22,6 +22,7 @@ int runTool(int argc, const char* const* argv) {
   addSelectFeaturesCommand(app);
   addStressCommand(app);
   addRenderCommand(app);
+  addTuneDeviceCommand(app);
   try {
     app.parse(argc, argv);
     return 0;

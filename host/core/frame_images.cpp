@@ -61,4 +61,19 @@ SurfaceParams makeSurfaceParams(const Frame& frame) {
   return params;
 }
 
+std::string motionOptions(const Frame& frame) {
+  return layoutOptions("MOTION", frame.motion) + layoutOptions("OBJECTID", frame.objectId);
+}
+
+MotionParams makeMotionParams(const Frame& frame) {
+  MotionParams params{};
+  params.motion = makeViewParams(frame.motion, frame.size);
+  params.objectId = makeViewParams(frame.objectId, frame.size);
+  return params;
+}
+
+std::uint64_t motionBytes(const Frame& frame) {
+  return imageBytes(frame.motion, frame.size) + imageBytes(frame.objectId, frame.size);
+}
+
 }  // namespace quell

@@ -6,6 +6,7 @@
 
 #include "host/core/stage.hpp"
 #include "kernels/common/material_params.h"
+#include "kernels/common/motion_params.h"
 #include "kernels/common/surface_params.h"
 
 namespace quell {
@@ -16,6 +17,7 @@ struct FrameImage {
   ImageView Frame::*view;
   int leastChannels;
   int mostChannels;
+  bool identifiers = false;  ///< compared, not computed with: UInt32 as well
 };
 /// All of them. A new one is added here; validation, warm-up and tests follow.
 constexpr FrameImage kFrameImages[] = {
@@ -29,6 +31,8 @@ constexpr FrameImage kFrameImages[] = {
     {"roughness", &Frame::roughness, 1, 1},
     {"f0", &Frame::f0, 1, 4},
     {"emission", &Frame::emission, 1, 4},
+    {"motion", &Frame::motion, 2, 4},
+    {"objectId", &Frame::objectId, 1, 1, true},
 };
 
 /// Signals that are filtered: 2 where the caller gives glossy radiance apart, else 1.
@@ -53,5 +57,11 @@ std::uint64_t fBetaBytes(const Configuration& configuration);
 /// Compile options for normal and position.
 std::string surfaceOptions(const Frame& frame);
 SurfaceParams makeSurfaceParams(const Frame& frame);
+
+/// Compile options for motion vectors and object ids.
+std::string motionOptions(const Frame& frame);
+MotionParams makeMotionParams(const Frame& frame);
+/// Bytes of motion vectors and object ids.
+std::uint64_t motionBytes(const Frame& frame);
 
 }  // namespace quell

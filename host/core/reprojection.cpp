@@ -139,6 +139,8 @@ ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const
     checkJitter(camera.jitterPxPrev, "jitterPxPrev");
     const glm::dvec3 originPrev = position(camera.worldToClipPrev, "worldToClipPrev");
     params.cameraMotion = toFloat4(originPrev - origin, 0.0);
+    params.jitterStep = toFloat4(
+        {camera.jitterPx[0] - camera.jitterPxPrev[0], camera.jitterPx[1] - camera.jitterPxPrev[1], 0.0}, 0.0);
     setPreviousRows(params, camera, size, origin);
   }
 

@@ -75,7 +75,7 @@ PlaneParams makePlanes(Size size) {
   return planes;
 }
 
-std::size_t elementBytes(Element element) { return element == Element::Float32 ? 4 : 1; }
+std::size_t elementBytes(Element element) { return element == Element::UInt8 ? 1 : 4; }
 
 std::size_t elementCount(const BufferSpec& spec, Size size) {
   if (spec.planes == 0) return spec.elements;

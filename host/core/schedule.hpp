@@ -16,7 +16,7 @@ namespace quell {
 class Stage;
 
 /// What one element of a buffer is.
-enum class Element { Float32, UInt8 };
+enum class Element { Float32, UInt8, UInt32 };
 
 /// A buffer of a method: planes of the image's size (see PlaneParams), or plain elements.
 struct BufferSpec {

@@ -51,7 +51,8 @@ cl::NDRange KernelBuilder::pixelWorkGroup(const cl::Kernel& kernel) const {
 }
 
 std::string layoutOptions(const std::string& name, const ImageView& view) {
-  const int format = !view.present() ? 0 : view.format == ComponentFormat::Float32 ? 1 : 2;
+  // As QUELL_FORMAT_FLOAT and its like in kernels/common/image_access.h.
+  const int format = !view.present() ? 0 : static_cast<int>(view.format) + 1;
   const std::size_t stride = view.present() ? view.pixelStride() / view.componentBytes() : 0;
   return " -D " + name + "_FORMAT=" + std::to_string(format) + " -D " + name +
          "_CHANNELS=" + std::to_string(view.channels) + " -D " + name + "_STRIDE=" + std::to_string(stride);

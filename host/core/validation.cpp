@@ -28,15 +28,17 @@ struct NamedView {
   const ImageView* view;
   int leastChannels;
   int mostChannels;
+  bool identifiers;
   bool output;
 };
 
 std::vector<NamedView> namedViews(const Frame& frame, const Output& output) {
   std::vector<NamedView> views;
   for (const FrameImage& image : kFrameImages)
-    views.push_back({image.name, &(frame.*image.view), image.leastChannels, image.mostChannels, false});
-  views.push_back({"output.linear", &output.linear, 3, 4, true});
-  views.push_back({"output.display", &output.display, 3, 4, true});
+    views.push_back({image.name, &(frame.*image.view), image.leastChannels, image.mostChannels,
+                     image.identifiers, false});
+  views.push_back({"output.linear", &output.linear, 3, 4, false, true});
+  views.push_back({"output.display", &output.display, 3, 4, false, true});
   return views;
 }
 
@@ -57,6 +59,11 @@ void checkSize(Size size) {
   }
 }
 
+std::string formatText(ComponentFormat format) {
+  if (format == ComponentFormat::UInt32) return "32-bit unsigned integers";
+  return format == ComponentFormat::Float32 ? "floats" : "halves";
+}
+
 void checkView(const char* function, const NamedView& named, Size size) {
   const ImageView& view = *named.view;
   if (!view.present()) return;
@@ -67,6 +74,8 @@ void checkView(const char* function, const NamedView& named, Size size) {
     invalid(std::to_string(named.leastChannels) + " to " + std::to_string(named.mostChannels) + " channels",
             std::to_string(view.channels));
   }
+  if (view.format == ComponentFormat::UInt32 && !named.identifiers)
+    invalid("floats or halves", formatText(view.format));
   const std::size_t component = view.componentBytes();
   // Far above what fits below, and low enough that no sum or product here overflows.
   const std::size_t most = kMostComponents * component;
@@ -102,9 +111,9 @@ bool sameLayout(const ImageView& a, const ImageView& b, int width) {
 
 std::string layoutText(const ImageView& view, int width) {
   if (!view.present()) return "absent";
-  return std::to_string(view.channels) + (view.format == ComponentFormat::Float32 ? " floats" : " halves") +
-         " per pixel, pixel stride " + std::to_string(view.pixelStride()) + ", row pitch " +
-         std::to_string(view.rowPitch(width)) + " bytes";
+  return std::to_string(view.channels) + " " + formatText(view.format) + " per pixel, pixel stride " +
+         std::to_string(view.pixelStride()) + ", row pitch " + std::to_string(view.rowPitch(width)) +
+         " bytes";
 }
 
 template <class Value>

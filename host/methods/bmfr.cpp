@@ -156,10 +156,12 @@ Schedule makeSchedule(const Configuration& configuration) {
                        std::vector<std::string> writes) {
     addStage(schedule, std::move(stage), std::move(reads), std::move(writes));
   };
+  const std::vector<std::string> objectIds = addObjectIds(schedule, configuration);
   // clang-format off
   add(std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{s.get("noisyLeastWeight")}),
-      {"irradiance.prev", "historyLength.prev", "guides.prev"},
-      joinedNames({"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"},
+      joinedNames({"irradiance.prev", "historyLength.prev", "guides.prev"}, previousNames(objectIds)),
+      joinedNames(joinedNames({"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"},
+                              objectIds),
                   addFBeta(schedule, configuration)));
   std::vector<std::string> guides = {"guides"};
   if (features.needMaterial()) {

@@ -34,6 +34,17 @@ std::vector<std::string> addFBeta(Schedule& schedule, const Configuration& confi
   return {"fBeta"};
 }
 
+std::vector<std::string> addObjectIds(Schedule& schedule, const Configuration& configuration) {
+  if (!configuration.frame.objectId.present()) return {};
+  schedule.buffers.push_back(history("objectIds", Element::UInt32, 1));
+  return {"objectIds"};
+}
+
+std::vector<std::string> previousNames(std::vector<std::string> names) {
+  for (std::string& name : names) name += ".prev";
+  return names;
+}
+
 void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
               std::vector<std::string> writes) {
   schedule.stages.push_back({std::move(stage), std::move(reads), std::move(writes)});

@@ -25,6 +25,12 @@ std::vector<std::string> filterGuideNames(const Configuration& configuration);
 /// none.
 std::vector<std::string> addFBeta(Schedule& schedule, const Configuration& configuration);
 
+/// Adds the buffer that keeps object ids for the next frame, where the caller has them; its name, or none.
+std::vector<std::string> addObjectIds(Schedule& schedule, const Configuration& configuration);
+
+/// The histories of these buffers: "<name>.prev".
+std::vector<std::string> previousNames(std::vector<std::string> names);
+
 /// Adds one line to the table.
 void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
               std::vector<std::string> writes);

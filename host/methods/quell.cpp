@@ -163,12 +163,16 @@ void addAccumulation(Schedule& schedule, const Configuration& configuration) {
   const std::vector<std::string> accumulated = {"irradiance", "historyLength", "moments"};
   std::vector<std::string> writes = joinedNames(accumulated, {"pixelPrev", "reprojectionMask"});
   if (change) writes = joinedNames(writes, {"newestIrradiance", "innovation"});
+  const std::vector<std::string> objectIds = addObjectIds(schedule, configuration);
+  writes = joinedNames(writes, objectIds);
   writes =
       joinedNames(joinedNames(writes, filterGuideNames(configuration)), addFBeta(schedule, configuration));
   addStage(schedule,
            std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{
                s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"), "irradiance.prev", true, change}),
-           {"irradiance.prev", "historyLength.prev", "guides.prev", "moments.prev"}, writes);
+           joinedNames({"irradiance.prev", "historyLength.prev", "guides.prev", "moments.prev"},
+                       previousNames(objectIds)),
+           writes);
   if (!change) return;
   const ChangeDetection detection = changeDetection(s);
   addStage(schedule, std::make_unique<ChangeSums>(detection),

@@ -113,14 +113,18 @@ Schedule makeSchedule(const Configuration& configuration) {
   if (fedBack) schedule.buffers.push_back(history("fedBack", f32, 3 * signals));
 
   const std::vector<std::string> filterGuides = filterGuideNames(configuration);
+  const std::vector<std::string> objectIds = addObjectIds(schedule, configuration);
   addStage(
       schedule,
       std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{
           s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"), irradiancePrev, true}),
-      {irradiancePrev, "historyLength.prev", "guides.prev", "moments.prev"},
-      joinedNames(joinedNames({"irradiance", "historyLength", "moments", "pixelPrev", "reprojectionMask"},
-                              filterGuides),
-                  addFBeta(schedule, configuration)));
+      joinedNames({irradiancePrev, "historyLength.prev", "guides.prev", "moments.prev"},
+                  previousNames(objectIds)),
+      joinedNames(
+          joinedNames(joinedNames({"irradiance", "historyLength", "moments", "pixelPrev", "reprojectionMask"},
+                                  objectIds),
+                      filterGuides),
+          addFBeta(schedule, configuration)));
   addStage(
       schedule,
       std::make_unique<Variance>(Variance::Setup{stops, static_cast<int>(s.get("temporalVarianceFrames"))}),

@@ -24,7 +24,7 @@ enum class TimerMode {
 
 /// How per-pixel work is spread over work-items.
 enum class Mapping {
-  Automatic,  ///< Wide on CPU devices, Narrow elsewhere
+  Automatic,  ///< as measured by `quell tune-device`, else Wide on CPU devices, Narrow elsewhere
   Narrow,     ///< one pixel a work-item
   Wide,       ///< sixteen pixels of a row a work-item
 };
@@ -32,7 +32,8 @@ enum class Mapping {
 struct Options {
   TimerMode timers = TimerMode::Off;
   Mapping mapping = Mapping::Automatic;
-  /// Work-group of the per-pixel kernels, work-items in x and y; 0: chosen from what device and kernel allow.
+  /// Work-group of the per-pixel kernels, work-items in x and y; 0: as measured by `quell tune-device`,
+  /// else chosen from what device and kernel allow.
   std::array<int, 2> workGroup{0, 0};
   /// Work-items that share a block in the fit, a power of two up to 256; 0: chosen. Brought into the range of
   /// the kernel: 16 to 256 (`householder`) or 2 to 256 (`gram`), with the wide mapping 1 to 16 or 1.

@@ -42,6 +42,14 @@ struct Frame {
   /// Fresnel reflectance at normal incidence, 0 to 1; optional, 1 where absent. Read where light is divided by
   /// F_beta (setting `demodulate`).
   ImageView f0;
+  /// Motion vectors: where this pixel's surface point was in the frame before, minus this pixel; pixels, x right, y
+  /// down, without jitter (0 for a scene and a camera at rest), 2 to 4 channels (the first two are read); optional.
+  /// Where given they win over the matrices, for the background, too, and objects that move keep their history. A
+  /// vector that is not finite or leads out of the frame before: no history for this pixel.
+  ImageView motion;
+  /// Which object a pixel shows, 1 channel, any number; optional. Compared bit by bit: 32-bit unsigned, or floats (whole
+  /// numbers are exact up to 2^24, halves up to 2^11). History of another object is discarded.
+  ImageView objectId;
   /// Emitted radiance and visible sky, linear, added back unfiltered; optional.
   ImageView emission;
   /// True where radiance is irradiance already: divided by albedo (glossyRadiance: by gloss colour), emission

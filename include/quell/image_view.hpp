@@ -20,6 +20,7 @@ inline bool operator!=(Size a, Size b) { return !(a == b); }
 enum class ComponentFormat : std::uint8_t {
   Float32,
   Float16,  ///< IEEE half
+  UInt32,   ///< 32-bit unsigned integers, for object ids only
 };
 
 /// One image within a buffer that the caller owns. Row-major, pixel (0, 0) is top left. Packed float3,
@@ -34,7 +35,7 @@ struct ImageView {
   std::size_t rowPitchBytes = 0;     ///< from one row to the next; 0: width times the pixel stride
 
   bool present() const { return channels != 0; }
-  std::size_t componentBytes() const { return format == ComponentFormat::Float32 ? 4 : 2; }
+  std::size_t componentBytes() const { return format == ComponentFormat::Float16 ? 2 : 4; }
   std::size_t pixelStride() const {
     return pixelStrideBytes != 0 ? pixelStrideBytes : componentBytes() * static_cast<std::size_t>(channels);
   }

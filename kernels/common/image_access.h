@@ -1,7 +1,7 @@
 // The caller's images: loads and stores of QUELL_LANES neighbouring pixels in any layout of the buffer contract.
 //
-// A kernel that touches the image NAME is compiled with NAME_FORMAT (0 absent, 1 float, 2 half), NAME_CHANNELS (1-4)
-// and NAME_STRIDE (components from one pixel to the next). Packed layouts of 1, 3 and 4 components take vector loads;
+// A kernel that touches the image NAME is compiled with NAME_FORMAT (0 absent, 1 float, 2 half, 3 32-bit unsigned),
+// NAME_CHANNELS (1-4) and NAME_STRIDE (components from one pixel to the next). Packed layouts take vector loads;
 // anything else, and the end of a row, is read component by component.
 #ifndef QUELL_COMMON_IMAGE_ACCESS_H
 #define QUELL_COMMON_IMAGE_ACCESS_H
@@ -11,6 +11,7 @@
 
 #define QUELL_FORMAT_FLOAT 1
 #define QUELL_FORMAT_HALF 2
+#define QUELL_FORMAT_UINT 3
 
 QUELL_INLINE float loadComponent(__global const void* data, size_t component, int format) {
   return format == QUELL_FORMAT_HALF ? vload_half(component, (__global const half*)data)
@@ -37,6 +38,16 @@ QUELL_INLINE void storeComponents16(float16 value, __global void* data, size_t c
   } else {
     vstore16(value, 0, (__global float*)data + component);
   }
+}
+
+QUELL_INLINE float3L loadPacked2(__global const void* data, size_t component, int format) {
+  const float16 a = loadComponents16(data, component, format);
+  const float16 b = loadComponents16(data, component + 16, format);
+  float3L v;
+  v.x = (float16)(a.even, b.even);
+  v.y = (float16)(a.odd, b.odd);
+  v.z = ZERO_LANES;
+  return v;
 }
 
 QUELL_INLINE float3L loadPacked3(__global const void* data, size_t component, int format) {
@@ -112,6 +123,7 @@ QUELL_INLINE float3L loadPixels(__global const void* data, ImageViewParams view,
   const size_t first = (size_t)view.offset + (size_t)y * (size_t)view.rowPitch + (size_t)x * (size_t)stride;
 #if QUELL_LANES == 16
   if (lanes == 16) {
+    if (channels == 2 && stride == 2) return loadPacked2(data, first, format);
     if (channels == 3 && stride == 3) return loadPacked3(data, first, format);
     if (channels == 4 && stride == 4) return loadPacked4(data, first, format);
     if (channels == 1 && stride == 1) {
@@ -130,6 +142,27 @@ QUELL_INLINE float3L loadPixels(__global const void* data, ImageViewParams view,
         : channels == 1 ? v.x
                         : ZERO_LANES;
   return v;
+}
+
+// The bits of the one component of `lanes` pixels, from whichever format; lanes from `lanes` on are 0.
+QUELL_INLINE intL loadWords(__global const void* data, ImageViewParams view, int x, int y, int lanes,
+                            int format, int stride) {
+  const size_t first = (size_t)view.offset + (size_t)y * (size_t)view.rowPitch + (size_t)x * (size_t)stride;
+  __global const int* words = (__global const int*)data;
+  __global const ushort* halves = (__global const ushort*)data;
+#if QUELL_LANES == 1
+  return format == QUELL_FORMAT_HALF ? (int)halves[first] : words[first];
+#else
+  if (lanes == 16 && stride == 1 && format != QUELL_FORMAT_HALF) return vload16(0, words + first);
+  int values[16];
+  for (int lane = 0; lane < 16; ++lane) {
+    const size_t component = first + (size_t)(lane * stride);
+    values[lane] = lane >= lanes                 ? 0
+                   : format == QUELL_FORMAT_HALF ? (int)halves[component]
+                                                 : words[component];
+  }
+  return vload16(0, values);
+#endif
 }
 
 // Stores `lanes` pixels. A fourth component becomes 1; with fewer than three the rest is dropped. Half outputs are
@@ -165,6 +198,8 @@ QUELL_INLINE void storePixels(float3L value, __global void* data, ImageViewParam
 // Spares a kernel from naming the compile options one by one.
 #define LOAD_PIXELS(NAME, data, view, x, y, lanes) \
   loadPixels((data), (view), (x), (y), (lanes), NAME##_FORMAT, NAME##_CHANNELS, NAME##_STRIDE)
+#define LOAD_WORDS(NAME, data, view, x, y, lanes) \
+  loadWords((data), (view), (x), (y), (lanes), NAME##_FORMAT, NAME##_STRIDE)
 #define STORE_PIXELS(NAME, value, data, view, x, y, lanes) \
   storePixels((value), (data), (view), (x), (y), (lanes), NAME##_FORMAT, NAME##_CHANNELS, NAME##_STRIDE)
 

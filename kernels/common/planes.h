@@ -26,6 +26,14 @@ QUELL_INLINE void storeLanes(floatL value, __global float* plane) {
 #endif
 }
 
+QUELL_INLINE void storeIntLanes(intL value, __global int* plane) {
+#if QUELL_LANES == 1
+  plane[0] = value;
+#else
+  vstore16(value, 0, plane);
+#endif
+}
+
 QUELL_INLINE intL loadByteLanes(__global const uchar* plane) {
 #if QUELL_LANES == 1
   return plane[0];
@@ -94,6 +102,20 @@ QUELL_INLINE floatL gatherLanes(__global const float* plane, GatherPlan plan) {
   return (float16)(plane[i.s0], plane[i.s1], plane[i.s2], plane[i.s3], plane[i.s4], plane[i.s5], plane[i.s6],
                    plane[i.s7], plane[i.s8], plane[i.s9], plane[i.sa], plane[i.sb], plane[i.sc], plane[i.sd],
                    plane[i.se], plane[i.sf]);
+#endif
+}
+
+QUELL_INLINE intL gatherIntLanes(__global const int* plane, GatherPlan plan) {
+#if QUELL_LANES == 1
+  return plane[plan.index];
+#else
+  if (plan.runs == 1) return vload16(0, plane + plan.firstRun);
+  if (plan.runs == 2)
+    return plan.inFirstRun ? vload16(0, plane + plan.firstRun) : vload16(0, plane + plan.lastRun);
+  const intL i = plan.index;
+  return (int16)(plane[i.s0], plane[i.s1], plane[i.s2], plane[i.s3], plane[i.s4], plane[i.s5], plane[i.s6],
+                 plane[i.s7], plane[i.s8], plane[i.s9], plane[i.sa], plane[i.sb], plane[i.sc], plane[i.sd],
+                 plane[i.se], plane[i.sf]);
 #endif
 }
 

@@ -2,7 +2,8 @@
 // Paper: Koskela et al. 2019, phase I (preprocessing): "We use bilinear sampling of the history data and do a discard
 // test for each pixel separately"; world positions and shading normals decide.
 // Departures: positions are camera-relative; limits follow the pixel's footprint unless they are set in scene units;
-// the result is rounded to 1/256 pixel; taps are also weighted by how much of their pixel was filtered at all.
+// the result is rounded to 1/256 pixel; taps are also weighted by how much of their pixel was filtered at all; motion
+// vectors and object ids of the caller (common/motion_images.h).
 #ifndef QUELL_COMMON_REPROJECTION_H
 #define QUELL_COMMON_REPROJECTION_H
 
@@ -42,8 +43,21 @@ QUELL_INLINE floatL roundToSubpixel(floatL v) {
   return TO_FLOAT(floorLanes(v * QUELL_SUBPIXEL_STEPS + 0.5f)) * (1.0f / QUELL_SUBPIXEL_STEPS);
 }
 
-// Pixel index in the frame before, rounded to 1/256; lanes that lie outside by a pixel or more, or behind the camera,
-// are flagged in `inside` and moved to 0.
+// Rounds a pixel index to 1/256 where `wanted` and it lies outside the frame by less than a pixel; elsewhere moves it to
+// 0 and returns false.
+QUELL_INLINE intL placeInFrame(intL wanted, floatL x, floatL y, int width, int height, floatL* xPlaced,
+                               floatL* yPlaced) {
+  const intL inside = wanted && x > -1.0f && x < (float)width && y > -1.0f && y < (float)height;
+  const floatL xRounded = roundToSubpixel(inside ? x : ZERO_LANES);
+  const floatL yRounded = roundToSubpixel(inside ? y : ZERO_LANES);
+  // Rounding may reach the border itself, where no tap is left.
+  const intL stillInside = inside && xRounded < (float)width && yRounded < (float)height;
+  *xPlaced = stillInside ? xRounded : ZERO_LANES;
+  *yPlaced = stillInside ? yRounded : ZERO_LANES;
+  return stillInside;
+}
+
+// Pixel index in the frame before, by matrices; not inside where it is behind the camera. See placeInFrame().
 QUELL_INLINE intL reproject(ReprojectionParams params, float3L position, intL isDirection, int width,
                             int height, floatL* xPrev, floatL* yPrev) {
   const floatL translate = isDirection ? ZERO_LANES : ONE_LANES;
@@ -51,15 +65,15 @@ QUELL_INLINE intL reproject(ReprojectionParams params, float3L position, intL is
   const floatL inverse = 1.0f / w;
   const floatL x = (linear(params.pixelXPrev, position) + translate * params.pixelXPrev.w) * inverse;
   const floatL y = (linear(params.pixelYPrev, position) + translate * params.pixelYPrev.w) * inverse;
-  const intL inside =
-      w > 0.0f && x > -1.0f && x < (float)width && y > -1.0f && y < (float)height && params.historyValid != 0;
-  const floatL xRounded = roundToSubpixel(inside ? x : ZERO_LANES);
-  const floatL yRounded = roundToSubpixel(inside ? y : ZERO_LANES);
-  // Rounding may reach the border itself, where no tap is left.
-  const intL stillInside = inside && xRounded < (float)width && yRounded < (float)height;
-  *xPrev = stillInside ? xRounded : ZERO_LANES;
-  *yPrev = stillInside ? yRounded : ZERO_LANES;
-  return stillInside;
+  return placeInFrame(w > 0.0f && params.historyValid != 0, x, y, width, height, xPrev, yPrev);
+}
+
+// The same by a motion vector (previous pixel minus this one, without jitter); not inside where it is NaN or Inf.
+QUELL_INLINE intL followMotion(ReprojectionParams params, floatL x, floatL y, float3L motion, int width,
+                               int height, floatL* xPrev, floatL* yPrev) {
+  const intL usable = isFinite(motion.x) && isFinite(motion.y) && params.historyValid != 0;
+  return placeInFrame(usable, x + (motion.x + params.jitterStep.x), y + (motion.y + params.jitterStep.y),
+                      width, height, xPrev, yPrev);
 }
 
 // Bilinear taps at pixel index (x, y), which must lie in [-1, width) x [-1, height).
@@ -88,15 +102,35 @@ QUELL_INLINE BilinearTaps bilinearTaps(PlaneParams planes, floatL x, floatL y) {
 // Distance in elements from tap (0,0) to tap i.
 QUELL_INLINE int tapOffset(PlaneParams planes, int i) { return (i & 1) + (i >> 1) * planes.pitch; }
 
-// Is a history sample at this position with this normal the same surface? `limitSquared` in scene units squared.
+// Is the normal of a history sample that of this surface? World space: a surface that turns keeps its history while it
+// turns by less than the limit in a frame.
+QUELL_INLINE intL sameNormal(ReprojectionParams params, Surface surface, float3L normalPrev) {
+  const float3L step = subtract3(normalPrev, surface.normal);
+  return dot3(step, step) <= params.normalLimitSquared;
+}
+
+// Relative to this frame's camera instead of the one before.
+QUELL_INLINE float3L movedPosition(ReprojectionParams params, float3L positionPrev) {
+  positionPrev.x += params.cameraMotion.x;
+  positionPrev.y += params.cameraMotion.y;
+  positionPrev.z += params.cameraMotion.z;
+  return positionPrev;
+}
+
+// Is a history sample at this position with this normal the same surface, which does not move? `limitSquared` in scene
+// units squared.
 QUELL_INLINE intL sameSurface(ReprojectionParams params, Surface surface, float3L positionPrev,
                               float3L normalPrev, floatL limitSquared) {
-  const float3L normalStep = subtract3(normalPrev, surface.normal);
-  float3L step = subtract3(positionPrev, surface.position);
-  step.x += params.cameraMotion.x;
-  step.y += params.cameraMotion.y;
-  step.z += params.cameraMotion.z;
-  return dot3(step, step) <= limitSquared && dot3(normalStep, normalStep) <= params.normalLimitSquared;
+  const float3L step = subtract3(movedPosition(params, positionPrev), surface.position);
+  return dot3(step, step) <= limitSquared && sameNormal(params, surface, normalPrev);
+}
+
+// Is a history sample about as far in front of the camera before as this surface would have been at rest? All that can
+// be asked of the position of a surface that may move. An orthographic camera has one clip.w for all: always true.
+QUELL_INLINE intL nearDepth(ReprojectionParams params, Surface surface, float3L positionPrev) {
+  const floatL depth = affine(params.clipWPrev, surface.position);
+  const floatL depthPrev = affine(params.clipWPrev, movedPosition(params, positionPrev));
+  return absLanes(depthPrev - depth) <= QUELL_DEPTH_STEP_LIMIT * depth;
 }
 
 // Largest accepted squared distance between a surface point and its history, scene units squared.

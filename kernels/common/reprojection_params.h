@@ -23,6 +23,8 @@ typedef struct ReprojectionParams {
   QuellFloat4 cameraLow;
   // Previous camera position minus this one, world space (.xyz).
   QuellFloat4 cameraMotion;
+  // Jitter of this frame minus that of the frame before, pixels, x right, y down (.xy): what a motion vector lacks.
+  QuellFloat4 jitterStep;
   // Camera-relative point at view depth 1 seen through pixel index (x, y): x * rayX + y * rayY + rayOrigin.
   QuellFloat4 rayX;
   QuellFloat4 rayY;
@@ -44,5 +46,8 @@ QUELL_NAMESPACE_END
 // Reprojected positions are rounded to this fraction of a pixel, as texture units do: a static camera then
 // reprojects exactly onto pixel centres, whatever the rounding of the matrices.
 #define QUELL_SUBPIXEL_STEPS 256.0f
+// With motion vectors and no object ids: largest change of view depth from one frame to the next, as a share of it.
+// Wide: an object may come nearer by a tenth of its distance in a frame; what it uncovers mostly lies farther behind.
+#define QUELL_DEPTH_STEP_LIMIT 0.1f
 
 #endif

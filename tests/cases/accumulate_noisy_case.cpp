@@ -1,5 +1,6 @@
 #include "tests/cases/accumulate_noisy_case.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +17,51 @@ StageSetup makeAccumulateNoisySetup(const CaseOptions& options, const Accumulate
     setup.settings.set("momentsLeastWeight", 0.15);  // told apart from the weight of the irradiance
   }
   setFrameViews(setup, variant.images(), options.layout);
+  ImageLayout layout = options.layout;
+  layout.channels = std::max(2, layout.channels);
+  if (variant.motion) setup.frame.motion = makeView(layout, setup.size);
+  layout.channels = 1;
+  if (layout.format == ComponentFormat::Float32) layout.format = ComponentFormat::UInt32;
+  if (variant.objectId) setup.frame.objectId = makeView(layout, setup.size);
   return setup;
+}
+
+// The whole picture moves to the left half by one vector, to the right half pixel by pixel; some vectors lead out of
+// the frame.
+io::Image randomMotionVectors(Size size, unsigned seed) {
+  Random random(seed);
+  io::Image motion(size.width, size.height, 2);
+  forEachPixel(size, [&](int x, int y) {
+    const bool alike = x < size.width / 2;
+    const double reach = random.uniform() < 0.1 ? 40.0 : 2.0;
+    motion.at(x, y, 0) = alike ? 1.3f : float(random.uniform(-reach, reach));
+    motion.at(x, y, 1) = alike ? -0.43f : float(random.uniform(-reach, reach));
+  });
+  return motion;
+}
+
+// Tiles of three objects, some pixels of others. Exact as halves.
+float randomObject(Random& random, int x, int y) {
+  return random.uniform() < 0.1 ? float(random.integer(0, 2000)) : float((x / 11 + y / 5) % 3);
+}
+
+// The bits of an id, as a number.
+float wordOf(float id, ComponentFormat format) {
+  return format == ComponentFormat::Float16 ? float(Eigen::half(id).x) : id;
+}
+
+// Returns the ids as the caller has them.
+io::Image randomObjects(AccumulateNoisyInputs& inputs, Size size, unsigned seed, ComponentFormat format) {
+  Random random(seed);
+  io::Image ids(size.width, size.height, 1);
+  inputs.objectId = ids;
+  inputs.objectIdsPrev = Planes(size, 1);
+  forEachPixel(size, [&](int x, int y) {
+    ids.at(x, y, 0) = randomObject(random, x, y);
+    inputs.objectId.at(x, y, 0) = wordOf(ids.at(x, y, 0), format);
+    inputs.objectIdsPrev.at(0, x, y) = wordOf(randomObject(random, x, y), format);
+  });
+  return ids;
 }
 
 // Weights below 1 where the material fades out, 0 where a pixel could not be filtered; lengths up to the
@@ -71,6 +116,10 @@ AccumulateNoisyCase::AccumulateNoisyCase(const CaseOptions& options, const Accum
       float(settings.get(variant.filterGuides ? "irradianceLeastWeight" : "noisyLeastWeight"));
   inputs.momentsLeastWeight = variant.filterGuides ? float(settings.get("momentsLeastWeight")) : 0.0;
   randomHistory(inputs, options.size, options.seed + 20);
+  if (variant.motion) inputs.motion = randomMotionVectors(options.size, options.seed + 40);
+  if (variant.objectId)
+    m_objectIds = randomObjects(inputs, options.size, options.seed + 50,
+                                m_harness.configuration().frame.objectId.format);
   useReprojection(makeReprojection({}, movedCamera(), options.size));
 }
 
@@ -81,10 +130,13 @@ void AccumulateNoisyCase::useReprojection(const ReprojectionParams& reprojection
 
 void AccumulateNoisyCase::upload() {
   uploadFrame(m_harness, inputs);
+  uploadImage(m_harness, &Frame::motion, inputs.motion);
+  if (m_variant.objectId) m_harness.setInput(&Frame::objectId, m_objectIds);
   m_harness.upload(previousIrradiance(), inputs.irradiancePrev);
   m_harness.upload("historyLength.prev", inputs.historyLengthPrev);
   m_harness.upload("guides.prev", inputs.guidesPrev);
   if (m_variant.filterGuides) m_harness.upload("moments.prev", inputs.momentsPrev);
+  if (m_variant.objectId) m_harness.upload("objectIds.prev", inputs.objectIdsPrev);
 }
 
 AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
@@ -98,7 +150,8 @@ AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
           m_harness.download("reprojectionMask"),
           downloadIf(m_variant.filterGuides, "moments"),
           downloadIf(m_variant.filterGuides, "viewDepth"),
-          downloadIf(m_variant.filterGuides && m_variant.roughness, "roughness")};
+          downloadIf(m_variant.filterGuides && m_variant.roughness, "roughness"),
+          downloadIf(m_variant.objectId, "objectIds")};
 }
 
 Comparison AccumulateNoisyCase::compare() {
@@ -119,6 +172,7 @@ Comparison AccumulateNoisyCase::compare() {
   compareIfPresent("moments", device.moments, exact.outputs.moments);
   compareIfPresent("viewDepth", device.viewDepth, exact.outputs.viewDepth);
   compareIfPresent("roughness", device.roughness, exact.outputs.roughness);
+  compareIfPresent("objectIds", device.objectIds, exact.outputs.objectIds);
   comparePixelPrev(comparison, device.pixelPrev, exact.outputs.pixelPrev, exact.undecided);
   return comparison;
 }

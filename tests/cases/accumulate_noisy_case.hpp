@@ -18,6 +18,8 @@ struct AccumulateNoisyVariant {
   /// As the method svgf has it: moments, view depth and, where the caller has it, roughness are written.
   bool filterGuides = false;
   bool roughness = false;  ///< whether the caller has it
+  bool motion = false;     ///< whether the caller has motion vectors
+  bool objectId = false;   ///< whether the caller has object ids
 
   FrameVariant images() const { return {material, viewDepth, roughness}; }
 };
@@ -41,6 +43,7 @@ class AccumulateNoisyCase : public StageCase {
   const std::string& previousIrradiance() const { return m_harness.row().reads.front(); }
 
   AccumulateNoisyVariant m_variant;
+  io::Image m_objectIds;  ///< as the caller has them; inputs.objectId holds their bits
 };
 
 }  // namespace quell::tests

@@ -18,13 +18,13 @@ io::Image randomFactor(Size size, unsigned seed, double largest) {
   return image;
 }
 
+}  // namespace
+
 void uploadImage(StageHarness& harness, ImageView Frame::*view, io::Image& image) {
   if (image.empty()) return;
   harness.setInput(view, image);
   image = asStored(image, harness.configuration().frame.*view);
 }
-
-}  // namespace
 
 void setMaterialViews(StageSetup& setup, const MaterialVariant& variant, const ImageLayout& layout) {
   const ImageView view = makeView(layout, setup.size);

@@ -28,6 +28,9 @@ void setMaterialViews(StageSetup& setup, const MaterialVariant& variant, const I
 /// Random radiance; factors from 0 to 1 with many near 0, where demodulation fades out.
 MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigned seed);
 
+/// Sends an image, if there is one, and keeps what the device reads, after rounding to the layout.
+void uploadImage(StageHarness& harness, ImageView Frame::*view, io::Image& image);
+
 /// Sends the images; `images` keeps what the device reads, after rounding to the layout.
 void uploadMaterial(StageHarness& harness, MaterialImages& images);
 

@@ -81,6 +81,47 @@ TEST_CASE("view depth gives nearly the same picture as positions", "[core]") {
   CHECK(isClean(fromDepth.linear, 65504.0f));
 }
 
+TEST_CASE("object ids of 32 bits are told apart to the last bit", "[core]") {
+  ImageSetup setup;
+  setup.objectId = {ComponentFormat::UInt32, 1};
+  const auto run = [&](cl_uint first, cl_uint second) {
+    SmallDenoiser small(setup);
+    for (int number = 0; number < 2; ++number) {
+      small.buffers.upload(number);
+      const std::vector<cl_uint> ids(std::size_t(setup.size.width) * std::size_t(setup.size.height),
+                                     number == 0 ? first : second);
+      small.device.queue.enqueueWriteBuffer(cl::Buffer(small.buffers.frame.objectId.memory, true), CL_TRUE, 0,
+                                            ids.size() * sizeof(cl_uint), ids.data());
+      small.enqueue().wait();
+    }
+    return small.buffers.download();
+  };
+  const Picture plain = SmallDenoiser().run(0, 1);
+  CHECK(run(0xFFFFFFFE, 0xFFFFFFFE) == plain);
+  CHECK(run(7, 7) == plain);
+  CHECK_FALSE(run(0xFFFFFFFE, 0xFFFFFFFF).linear.pixels == plain.linear.pixels);
+}
+
+TEST_CASE("motion vectors win over the matrices", "[core]") {
+  ImageSetup setup;
+  setup.motion = packedHalf(2);
+  setup.objectId = packed(1);
+  const auto run = [](SmallDenoiser& small, bool stillCamera) {
+    small.run(0);
+    small.buffers.upload(1);
+    if (stillCamera) small.buffers.frame.camera.worldToClipPrev = small.buffers.frame.camera.worldToClip;
+    small.enqueue().wait();
+    return small.buffers.download();
+  };
+  SmallDenoiser one(setup), two(setup);
+  const Picture picture = run(one, false);
+  CHECK(isClean(picture.linear, 65504.0f));
+  CHECK(isClean(picture.display, 1.0f));
+  CHECK(run(two, true) == picture);
+  SmallDenoiser plain;
+  CHECK_FALSE(run(plain, false) == picture);
+}
+
 TEST_CASE("radiance may come demodulated, without emission", "[core]") {
   const OpenDevice device;
   ImageSetup setup;

@@ -32,7 +32,7 @@ std::vector<ParamsStruct> paramsStructs() {
       QUELL_PARAMS("common/types.h", ImageViewParams, rowPitch),
       QUELL_PARAMS("common/types.h", PlaneParams, stride),
       QUELL_PARAMS("common/reprojection_params.h", ReprojectionParams, historyValid),
-      QUELL_PARAMS("accumulate_noisy_params.h", AccumulateNoisyParams, leastWeight),
+      QUELL_PARAMS("accumulate_noisy_params.h", AccumulateNoisyParams, momentsLeastWeight),
       QUELL_PARAMS("fit_params.h", FitParams, noiseAmplitude),
       QUELL_PARAMS("gram_params.h", GramParams, noiseVariance),
       QUELL_PARAMS("accumulate_filtered_params.h", AccumulateFilteredParams, leastWeight),

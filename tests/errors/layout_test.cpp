@@ -79,6 +79,8 @@ TEST_CASE("channel counts out of range are refused", "[errors]") {
       {"glossyRadiance", &Frame::glossyRadiance, nullptr, 1, 4},
       {"roughness", &Frame::roughness, nullptr, 1, 1},
       {"f0", &Frame::f0, nullptr, 1, 4},
+      {"motion", &Frame::motion, nullptr, 2, 4},
+      {"objectId", &Frame::objectId, nullptr, 1, 1},
       {"output.linear", nullptr, &Output::linear, 3, 4},
       {"output.display", nullptr, &Output::display, 3, 4},
   };
@@ -95,8 +97,18 @@ TEST_CASE("channel counts out of range are refused", "[errors]") {
            }});
     }
   }
-  CHECK(cases.size() == 12 * 2 + 2 * 1 + 4 * 2);
+  CHECK(cases.size() == 14 * 2 + 4 * 1 + 4 * 2);
   checkAll(cases);
+}
+
+TEST_CASE("integers are refused for all but object ids", "[errors]") {
+  const auto integers = [](ImageView Frame::*image) {
+    return [image](Frame& frame, Output&) { (frame.*image).format = ComponentFormat::UInt32; };
+  };
+  const auto output = [](Frame&, Output& o) { o.display.format = ComponentFormat::UInt32; };
+  checkAll({{invalid("radiance", "floats or halves", "32-bit unsigned"), integers(&Frame::radiance)},
+            {invalid("albedo", "floats or halves", "32-bit unsigned"), integers(&Frame::albedo)},
+            {invalid("output.display", "floats or halves", "32-bit unsigned"), output}});
 }
 
 TEST_CASE("strides, pitches and offsets that do not fit the components are refused", "[errors]") {

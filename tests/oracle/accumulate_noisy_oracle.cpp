@@ -36,6 +36,25 @@ class PixelOracle {
 
   Surface surface() { return surfaceAt(m_inputs, m_x, m_y, undecided); }
 
+  Place previous(const Surface& s) {
+    if (m_params.historyValid == 0) return {};
+    return m_inputs.motion.empty() ? reproject(s) : followMotion();
+  }
+
+  bool sameHistory(const Surface& s, const Tap& tap) {
+    if (!m_inputs.objectId.empty() &&
+        m_inputs.objectIdsPrev.at(0, tap.x, tap.y) != m_inputs.objectId.at(m_x, m_y, 0))
+      return false;
+    if (!sameNormal(s, tap)) return false;
+    if (m_inputs.motion.empty()) return nearPosition(s, tap);
+    return !m_inputs.objectId.empty() || nearDepth(s, tap);
+  }
+
+  void doubt(double value, double threshold, double rounding) {
+    undecided = undecided || near(value, threshold, rounding);
+  }
+
+ private:
   // Background is a point at infinity.
   Place reproject(const Surface& s) {
     const Vector3d target = s.valid ? s.position : viewRay(m_params, m_x, m_y);
@@ -44,35 +63,55 @@ class PixelOracle {
     const double w = apply(m_params.clipWPrev);
     const double x = apply(m_params.pixelXPrev) / w;
     const double y = apply(m_params.pixelYPrev) / w;
-    const double width = m_inputs.irradiancePrev.width, height = m_inputs.irradiancePrev.height;
-    if (m_params.historyValid == 0) return {};
     doubt(w, 0.0, kRounding * target.norm());
+    return w > 0.0 ? placeAt(x, y) : Place();
+  }
+
+  Place followMotion() {
+    return placeAt(m_x + double(m_inputs.motion.at(m_x, m_y, 0)) + m_params.jitterStep.x,
+                   m_y + double(m_inputs.motion.at(m_x, m_y, 1)) + m_params.jitterStep.y);
+  }
+
+  Place placeAt(double x, double y) {
+    const double width = m_inputs.irradiancePrev.width, height = m_inputs.irradiancePrev.height;
     doubt(x, -1.0, kPixelRounding);
     doubt(y, -1.0, kPixelRounding);
     doubt(x, width, kPixelRounding);
     doubt(y, height, kPixelRounding);
-    if (!(w > 0.0 && x > -1.0 && x < width && y > -1.0 && y < height)) return {};
+    if (!(x > -1.0 && x < width && y > -1.0 && y < height)) return {};
     return {{x, y, 0.0}, true};
   }
 
-  bool sameSurface(const Surface& s, const Tap& tap) {
-    const Vector3d positionPrev = planeVector(m_inputs.guidesPrev, QUELL_GUIDE_POSITION, tap.x, tap.y);
+  bool sameNormal(const Surface& s, const Tap& tap) {
     const Vector3d normalPrev = planeVector(m_inputs.guidesPrev, QUELL_GUIDE_NORMAL, tap.x, tap.y);
-    const Vector3d motion = linearPart(m_params.cameraMotion);
+    const double distance = (normalPrev - s.normal).squaredNorm();
+    doubt(distance, m_params.normalLimitSquared, kRounding);
+    return distance <= m_params.normalLimitSquared;
+  }
+
+  // Of the frame before, relative to this frame's camera.
+  Vector3d positionPrev(const Tap& tap) const {
+    return planeVector(m_inputs.guidesPrev, QUELL_GUIDE_POSITION, tap.x, tap.y) +
+           linearPart(m_params.cameraMotion);
+  }
+
+  bool nearPosition(const Surface& s, const Tap& tap) {
+    const Vector3d position = positionPrev(tap);
     const double depth = linearPart(m_params.clipW).dot(s.position) + m_params.clipW.w;
     const double limit = m_params.positionLimit + m_params.positionLimitFootprint * std::max(depth, 0.0);
-    const double distance = (positionPrev + motion - s.position).norm();
-    const double normalDistance = (normalPrev - s.normal).squaredNorm();
-    doubt(distance, limit, kRounding * (positionPrev.norm() + s.position.norm() + motion.norm() + limit));
-    doubt(normalDistance, m_params.normalLimitSquared, kRounding);
-    return distance <= limit && normalDistance <= m_params.normalLimitSquared;
+    const double distance = (position - s.position).norm();
+    doubt(distance, limit, kRounding * (position.norm() + s.position.norm() + limit));
+    return distance <= limit;
   }
 
-  void doubt(double value, double threshold, double rounding) {
-    undecided = undecided || near(value, threshold, rounding);
+  bool nearDepth(const Surface& s, const Tap& tap) {
+    const Vector3d axis = linearPart(m_params.clipWPrev);
+    const double depth = axis.dot(s.position) + m_params.clipWPrev.w;
+    const double step = std::abs(axis.dot(positionPrev(tap) - s.position));
+    doubt(step, QUELL_DEPTH_STEP_LIMIT * depth, kRounding * (step + s.position.norm()));
+    return step <= QUELL_DEPTH_STEP_LIMIT * depth;
   }
 
- private:
   const AccumulateNoisyInputs& m_inputs;
   const ReprojectionParams& m_params;
   int m_x, m_y;
@@ -94,7 +133,7 @@ History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, 
   for (const Tap& tap : bilinearTaps(inputs.irradiancePrev.size(), x, y)) {
     if (!tap.inFrame) continue;
     const double weight = tap.weight * inputs.guidesPrev.at(QUELL_GUIDE_WEIGHT + signal, tap.x, tap.y);
-    if (!(weight > 0.0) || !oracle.sameSurface(surface, tap)) continue;
+    if (!(weight > 0.0) || !oracle.sameHistory(surface, tap)) continue;
     history.irradiance += weight * planeVector(inputs.irradiancePrev, 3 * signal, tap.x, tap.y);
     for (int i = 0; i < QUELL_MOMENT_PLANES && inputs.momentsLeastWeight > 0.0; ++i)
       history.moments[i] += weight * inputs.momentsPrev.at(QUELL_MOMENT_PLANES * signal + i, tap.x, tap.y);
@@ -146,12 +185,14 @@ void storeSurface(AccumulateNoisyOutputs<double>& outputs, int x, int y, const S
   }
   outputs.viewDepth.at(0, x, y) = viewDepthOf(inputs, surface);
   if (!inputs.roughness.empty()) outputs.roughness.at(0, x, y) = roughnessAt(inputs, x, y);
+  if (!inputs.objectId.empty()) outputs.objectIds.at(0, x, y) = inputs.objectId.at(x, y, 0);
 }
 
 AccumulateNoisyExact emptyOutputs(Size size, int signals) {
   return {{ExactPlanes(size, 3 * signals), ExactPlanes(size, signals),
            ExactPlanes(size, QUELL_GUIDE_WEIGHT + signals), ExactPlanes(size, 2), ExactPlanes(size, signals),
-           ExactPlanes(size, QUELL_MOMENT_PLANES * signals), ExactPlanes(size, 1), ExactPlanes(size, 1)},
+           ExactPlanes(size, QUELL_MOMENT_PLANES * signals), ExactPlanes(size, 1), ExactPlanes(size, 1),
+           ExactPlanes(size, 1)},
           BasicPlanes<char>(size, 1)};
 }
 
@@ -164,7 +205,7 @@ AccumulateNoisyExact accumulateNoisyOracle(const AccumulateNoisyInputs& inputs, 
   forEachPixel(size, [&](int x, int y) {
     PixelOracle oracle(inputs, x, y);
     const Surface surface = oracle.surface();
-    const Place place = oracle.reproject(surface);
+    const Place place = oracle.previous(surface);
     for (int signal = 0; signal < signals; ++signal) {
       const Material material = materialAt(inputs.material, x, y, signal);
       const Irradiance sample = demodulate(material);

@@ -13,6 +13,9 @@ struct AccumulateNoisyInputs : FrameImages {
   Planes historyLengthPrev;  ///< 1 plane a signal
   Planes guidesPrev;         ///< 7 planes, with two signals 8
   Planes momentsPrev;        ///< 2 planes a signal; used only where moments are asked for
+  io::Image motion;          ///< 2 channels; empty: absent
+  io::Image objectId;        ///< the bits, as whole numbers; empty: absent
+  Planes objectIdsPrev;      ///< 1 plane; used only with objectId
   double leastWeight = 0.2;
   double momentsLeastWeight = 0.0;  ///< 0: no moments
 };
@@ -20,7 +23,7 @@ struct AccumulateNoisyInputs : FrameImages {
 template <class Value>
 struct AccumulateNoisyOutputs {
   BasicPlanes<Value> irradiance, historyLength, guides, pixelPrev, reprojectionMask;
-  BasicPlanes<Value> moments, viewDepth, roughness;  ///< empty where there are none
+  BasicPlanes<Value> moments, viewDepth, roughness, objectIds;  ///< empty where there are none
 };
 
 struct AccumulateNoisyExact {

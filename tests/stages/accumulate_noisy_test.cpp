@@ -30,8 +30,8 @@ void fill(Planes& planes, float value) { std::fill(planes.values.begin(), planes
 bool isSurface(const Planes& guides, int x, int y) { return guides.at(QUELL_GUIDE_WEIGHT, x, y) > 0.0f; }
 
 std::vector<const Planes*> allOutputs(const AccumulateNoisyOutputs<float>& o) {
-  return {&o.irradiance,       &o.historyLength, &o.guides,    &o.pixelPrev,
-          &o.reprojectionMask, &o.moments,       &o.viewDepth, &o.roughness};
+  return {&o.irradiance, &o.historyLength, &o.guides,    &o.pixelPrev, &o.reprojectionMask,
+          &o.moments,    &o.viewDepth,     &o.roughness, &o.objectIds};
 }
 
 // What a run with this signal alone would get.
@@ -64,6 +64,7 @@ TestCamera slightlyMovedCamera() {
 const AccumulateNoisyVariant kPlain{kPlainMaterial};
 const AccumulateNoisyVariant kPlainWithMoments{kPlainMaterial, false, true};
 const AccumulateNoisyVariant kEverything{kTwoSignals, false, true, true};
+const AccumulateNoisyVariant kMotionAndObjects{kPlainMaterial, false, false, false, true, true};
 
 }  // namespace
 
@@ -305,7 +306,7 @@ TEST_CASE("accumulate_noisy takes materials that fade to black") {
 
 TEST_CASE("accumulate_noisy gives finite values for any input, and bad pixels do not leak") {
   for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    for (const AccumulateNoisyVariant& variant : {AccumulateNoisyVariant(), kEverything}) {
+    for (const AccumulateNoisyVariant& variant : {AccumulateNoisyVariant(), kEverything, kMotionAndObjects}) {
       CaseOptions options;
       options.size = {61, 40};
       options.mapping = mapping;
@@ -317,8 +318,9 @@ TEST_CASE("accumulate_noisy gives finite values for any input, and bad pixels do
       auto& inputs = noisy.inputs;
       auto& material = inputs.material;
       unsigned seed = 7;
-      for (io::Image* image : {&material.radiance, &material.emission, &material.albedo, &material.glossColor,
-                               &inputs.normal, &inputs.position, &material.glossyRadiance, &inputs.roughness})
+      for (io::Image* image :
+           {&material.radiance, &material.emission, &material.albedo, &material.glossColor, &inputs.normal,
+            &inputs.position, &material.glossyRadiance, &inputs.roughness, &inputs.motion})
         if (!image->empty()) spoil(*image, seed++, 16, &spoiled);
       checkAgreement(noisy, options);
       const auto dirty = noisy.outputs();

@@ -1,6 +1,7 @@
 #include "tests/support/image_layout.hpp"
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <cstring>
 
 namespace quell::tests {
@@ -17,6 +18,9 @@ std::size_t componentOffset(const ImageView& view, int width, int x, int y, int 
 void storeComponent(unsigned char* where, ComponentFormat format, float value) {
   if (format == ComponentFormat::Float32) {
     std::memcpy(where, &value, sizeof(value));
+  } else if (format == ComponentFormat::UInt32) {
+    const auto word = static_cast<std::uint32_t>(value);
+    std::memcpy(where, &word, sizeof(word));
   } else {
     const Eigen::half half(value);
     std::memcpy(where, &half, sizeof(half));
@@ -25,9 +29,13 @@ void storeComponent(unsigned char* where, ComponentFormat format, float value) {
 
 float loadComponent(const unsigned char* where, ComponentFormat format) {
   float value;
+  std::uint32_t word;
   Eigen::half half;
   if (format == ComponentFormat::Float32) {
     std::memcpy(&value, where, sizeof(value));
+  } else if (format == ComponentFormat::UInt32) {
+    std::memcpy(&word, where, sizeof(word));
+    value = static_cast<float>(word);
   } else {
     std::memcpy(&half, where, sizeof(half));
     value = static_cast<float>(half);
@@ -45,8 +53,8 @@ void forEachComponent(const ImageView& view, Size size, Work&& work) {
 }  // namespace
 
 std::string describe(const ImageLayout& layout) {
-  std::string text =
-      (layout.format == ComponentFormat::Float32 ? "float" : "half") + std::to_string(layout.channels);
+  constexpr const char* kFormats[] = {"float", "half", "uint"};
+  std::string text = kFormats[static_cast<int>(layout.format)] + std::to_string(layout.channels);
   if (layout.pixelStride != 0) text += "." + std::to_string(layout.pixelStride);
   if (layout.rowPadding != 0) text += "+" + std::to_string(layout.rowPadding);
   if (layout.offset != 0) text += "@" + std::to_string(layout.offset);

@@ -42,6 +42,8 @@ struct ImageSetup {
   ImageLayout albedo = packed(3);
   ImageLayout glossColor = absent();
   ImageLayout emission = packed(3);
+  ImageLayout motion = absent();
+  ImageLayout objectId = absent();
   ImageLayout linear = packed(3);
   ImageLayout display = packed(3);
   bool roundToHalf = false;  ///< round all inputs to half before they are stored, whatever they are stored as
@@ -91,6 +93,8 @@ class FrameBuffers {
     frame.albedo = allocate(device, setup.albedo);
     frame.glossColor = allocate(device, setup.glossColor);
     frame.emission = allocate(device, setup.emission);
+    frame.motion = allocate(device, setup.motion);
+    frame.objectId = allocate(device, setup.objectId);
     output.linear = allocate(device, setup.linear);
     output.display = allocate(device, setup.display);
     upload(0);
@@ -107,6 +111,9 @@ class FrameBuffers {
     writeInput(frame.albedo, data.albedo);
     writeInput(frame.glossColor, io::Image(frame.size.width, frame.size.height, 3, 0.25f));
     writeInput(frame.emission, data.emission);
+    // Nothing moves, and all is one object.
+    writeInput(frame.motion, io::Image(frame.size.width, frame.size.height, 2));
+    writeInput(frame.objectId, io::Image(frame.size.width, frame.size.height, 1));
     const io::Image nothing(frame.size.width, frame.size.height, 4, -1.0f);
     write(output.linear, nothing);
     write(output.display, nothing);

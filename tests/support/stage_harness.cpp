@@ -15,6 +15,7 @@ namespace {
 // What margins and unwritten pixels hold: finite, and unlike anything that a test expects.
 constexpr float kRubbish = 777.0f;
 constexpr cl_uchar kByteRubbish = 0xEE;
+constexpr cl_uint kWordRubbish = 0xEEEEEE;
 constexpr double kNanosecondsPerMs = 1e6;
 
 class HarnessRun : public FrameRun {
@@ -152,6 +153,8 @@ void StageHarness::allocate() {
       const cl::Buffer buffer(device.context, CL_MEM_READ_WRITE, bytes);
       if (spec.element == Element::Float32) {
         device.queue.enqueueFillBuffer(buffer, kRubbish, 0, bytes);
+      } else if (spec.element == Element::UInt32) {
+        device.queue.enqueueFillBuffer(buffer, kWordRubbish, 0, bytes);
       } else {
         device.queue.enqueueFillBuffer(buffer, kByteRubbish, 0, bytes);
       }
@@ -172,6 +175,8 @@ void StageHarness::upload(const std::string& name, const Planes& planes) {
   const BufferSpec& spec = specOf(name);
   if (spec.element == Element::Float32) {
     uploadAs<float>(m_buffers.at(name), spec, size(), planes, kRubbish);
+  } else if (spec.element == Element::UInt32) {
+    uploadAs<cl_uint>(m_buffers.at(name), spec, size(), planes, kWordRubbish);
   } else {
     uploadAs<cl_uchar>(m_buffers.at(name), spec, size(), planes, kByteRubbish);
   }
@@ -183,6 +188,8 @@ Planes StageHarness::download(const std::string& name) const {
       spec.planes > 0 ? Planes(size(), spec.planes) : Planes({static_cast<int>(spec.elements), 1}, 1);
   if (spec.element == Element::Float32) {
     downloadAs<float>(m_buffers.at(name), spec, size(), planes);
+  } else if (spec.element == Element::UInt32) {
+    downloadAs<cl_uint>(m_buffers.at(name), spec, size(), planes);
   } else {
     downloadAs<cl_uchar>(m_buffers.at(name), spec, size(), planes);
   }

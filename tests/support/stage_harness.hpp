@@ -44,7 +44,7 @@ class StageHarness {
   /// Takes the stage `stem` from the schedule of the setup's method and compiles it.
   StageHarness(const std::string& stem, const StageSetup& setup);
 
-  /// By the names of the table, "<name>.prev" included. Bytes are converted from and to floats.
+  /// By the names of the table, "<name>.prev" included. Integers are converted from and to floats.
   void upload(const std::string& name, const Planes& planes);
   Planes download(const std::string& name) const;
 

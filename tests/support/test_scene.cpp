@@ -86,6 +86,8 @@ Camera makeCamera(const TestCamera& now, const TestCamera& before, Size size) {
   Camera camera;
   camera.worldToClip = worldToClip(now, size);
   camera.worldToClipPrev = worldToClip(before, size);
+  camera.jitterPx = now.jitterPx;
+  camera.jitterPxPrev = before.jitterPx;
   return camera;
 }
 
@@ -100,8 +102,9 @@ SceneView renderScene(const TestCamera& camera, Size size, int signals) {
   SceneView view{io::Image(size.width, size.height, 3), io::Image(size.width, size.height, 1),
                  io::Image(size.width, size.height, 3), Planes(size, QUELL_GUIDE_WEIGHT + signals)};
   forEachPixel(size, [&](int x, int y) {
-    const double right = (2.0 * x + 1.0 - size.width) / size.height / kFocalLength;
-    const double up = (size.height - 2.0 * y - 1.0) / size.height / kFocalLength;
+    const double column = x + 0.5 + camera.jitterPx[0], row = y + 0.5 + camera.jitterPx[1];
+    const double right = (2.0 * column - size.width) / size.height / kFocalLength;
+    const double up = (size.height - 2.0 * row) / size.height / kFocalLength;
     storeHit(view, axes, x, y, intersect(axes, axes.forward + right * axes.right + up * axes.up));
   });
   return view;

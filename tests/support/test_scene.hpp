@@ -14,6 +14,7 @@ namespace quell::tests {
 struct TestCamera {
   double x = 10.3, y = -20.7, z = 30.1;  ///< world position, scene units
   double yaw = 0.0;                      ///< radians, to the left
+  std::array<double, 2> jitterPx{0, 0};  ///< as quell::Camera has it
 };
 
 /// How far the camera of the frame before stood from the one of this frame in the usual test: about two
