@@ -24,6 +24,8 @@ namespace {
 // Settings varied so often that they have an option of their own.
 constexpr const char* kShorthands[] = {"solver", "windows", "features"};
 constexpr char kSeparator = ',';
+// Making up a frame of 3840x2160 takes longer than to denoise it.
+constexpr int kSizeSweepFrames = 4;
 
 struct BenchArguments {
   std::vector<std::string> methods = methodNames();
@@ -55,6 +57,7 @@ BenchGroup planSweepGroup(const std::string& name, const BenchArguments& argumen
     input.directories.clear();
     input.sizes = sizes;
     input.signals = 1;
+    input.mostFrames = kSizeSweepFrames;
   } else if (!input.directories.empty()) {
     input.directories.resize(1);
     input.sizes.clear();

@@ -27,12 +27,16 @@ OperationCounts::OperationCounts(const std::string& file) {
 }
 
 double OperationCounts::perPixel(const PlannedRun& run, const std::string& label) const {
+  const auto countOf = [&](const std::map<std::string, double>& stages) {
+    const auto stage = stages.find(label);
+    return stage == stages.end() ? 0.0 : stage->second;
+  };
   for (const std::string& name : {run.name(), run.method}) {
     const auto counted = m_counts.find(name);
-    if (counted == m_counts.end()) continue;
-    const auto stage = counted->second.find(label);
-    if (stage != counted->second.end()) return stage->second;
+    if (counted != m_counts.end() && countOf(counted->second) > 0.0) return countOf(counted->second);
   }
+  for (const auto& [name, stages] : m_counts)
+    if (name.rfind(run.method + " ", 0) == 0 && countOf(stages) > 0.0) return countOf(stages);
   return 0.0;
 }
 

@@ -16,7 +16,8 @@ class OperationCounts {
   /// Reads {"<run>": {"<label>": operations per pixel}}. Throws Error(FileError) or Error(InvalidArgument).
   explicit OperationCounts(const std::string& file);
 
-  /// Those of the very run, else of its method's defaults; 0 where nothing was counted.
+  /// Those of the very run, else of its method's defaults, else of its method with other settings; 0 where nothing was
+  /// counted.
   double perPixel(const PlannedRun& run, const std::string& label) const;
 
  private:
