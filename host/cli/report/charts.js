@@ -57,12 +57,23 @@ function scatter(points, labelX, labelY) {
   const best = points.filter(p => !points.some(q => q.x <= p.x && q.y <= p.y && (q.x < p.x || q.y < p.y)))
                    .sort((a, b) => a.x - b.x);
   chart.svg.append(element("polyline", {class: "front", points: best.map(p => `${chart.x(p.x)},${chart.y(p.y)}`).join(" ")}));
-  for (const p of points) {
-    chart.svg.append(
-        element("circle", {cx: chart.x(p.x), cy: chart.y(p.y), r: 6, fill: colorOf(p.color)}, tooltip(p.text)),
-        element("text", {x: chart.x(p.x) + 9, y: chart.y(p.y) + 4}, p.name));
-  }
+  for (const p of points)
+    chart.svg.append(element("circle", {cx: chart.x(p.x), cy: chart.y(p.y), r: 6, fill: colorOf(p.color)}, tooltip(p.text)));
+  for (const label of placeLabels(points.map(p => ({x: chart.x(p.x) + 9, y: chart.y(p.y) + 4, text: p.name}))))
+    chart.svg.append(element("text", {x: label.x, y: label.y}, label.text));
   return chart.svg;
+}
+
+// Moves labels down that would cover one placed before.
+function placeLabels(labels) {
+  const lineHeight = 13, letterWidth = 6.2, placed = [];
+  const covers = (a, b) => Math.abs(a.y - b.y) < lineHeight && a.x < b.x + b.text.length * letterWidth &&
+      b.x < a.x + a.text.length * letterWidth;
+  for (const label of [...labels].sort((a, b) => a.y - b.y)) {
+    while (placed.some(other => covers(label, other))) label.y += 1;
+    placed.push(label);
+  }
+  return placed;
 }
 
 // series: [{name, points: [[x, y]]}]
