@@ -219,39 +219,38 @@ TEST_CASE("bench adds roofline, build times, sweeps and a page", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.file("bench.json"), counts = directory.file("counts.json");
   constexpr double kPerPixel = 1000.0;
-  io::writeTextFile(counts, R"({"atrous": {"tone_map": 1000, "atrous (step 1)": 1e9
-}
-})");
-  REQUIRE(bench({"--methods", "atrous", "--size", "64x48", "--sweep", "iterations", "--roofline", "--operations", counts,
-                 "--build-times", "--json", file, "--html", directory.file("page")}) == 0);
-const json result = readJson(file);
-CHECK(result.at("fma_gflops").get<double>() > 0.0);
-REQUIRE(result.at("runs").size() == 1 + 7);
-const json &main = result.at("runs")[0], &swept = result.at("runs")[7];
-CHECK(main.at("build_ms").at("cold").get<double>() > 0.0);
-CHECK(main.at("build_ms").at("cached").get<double>() > 0.0);
-CHECK_FALSE(main.contains("sweep"));
-CHECK(swept.at("sweep") == "iterations");
-CHECK(swept.at("assignments").at("iterations") == "7");
-CHECK(main.at("round_medians_ms").size() == 1);
-CHECK(main.at("frame_medians_ms").size() == 3);
-const json& stages = main.at("stages");
-CHECK(stages[1].at("label") == "atrous (step 1)");
-CHECK(stages[2].at("label") == "atrous (step 2)");
-const double flopsBound = 1e9 * 64 * 48 * 1e-6 / result.at("fma_gflops").get<double>();
-CHECK(stages[1].at("bound_ms").get<double>() == Approx(flopsBound));
-const double bytesBound = stages[2].at("bytes").get<double>() * 1e-6 / result.at("copy_gbs").get<double>();
-CHECK(stages[2].at("bound_ms").get<double>() == Approx(bytesBound));
-CHECK_FALSE(stages[2].contains("operations"));
-CHECK(stages.back().at("operations").get<double>() == kPerPixel * 64 * 48);
+  io::writeTextFile(counts, R"json({"atrous": {"tone_map": 1000, "atrous (step 1)": 1e9}})json");
+  REQUIRE(
+      bench({"--methods", "atrous", "--size", "64x48", "--sweep", "iterations", "--roofline", "--operations",
+             counts, "--build-times", "--json", file, "--html", directory.file("page")}) == 0);
+  const json result = readJson(file);
+  CHECK(result.at("fma_gflops").get<double>() > 0.0);
+  REQUIRE(result.at("runs").size() == 1 + 7);
+  const json &main = result.at("runs")[0], &swept = result.at("runs")[7];
+  CHECK(main.at("build_ms").at("cold").get<double>() > 0.0);
+  CHECK(main.at("build_ms").at("cached").get<double>() > 0.0);
+  CHECK_FALSE(main.contains("sweep"));
+  CHECK(swept.at("sweep") == "iterations");
+  CHECK(swept.at("assignments").at("iterations") == "7");
+  CHECK(main.at("round_medians_ms").size() == 1);
+  CHECK(main.at("frame_medians_ms").size() == 3);
+  const json& stages = main.at("stages");
+  CHECK(stages[1].at("label") == "atrous (step 1)");
+  CHECK(stages[2].at("label") == "atrous (step 2)");
+  const double flopsBound = 1e9 * 64 * 48 * 1e-6 / result.at("fma_gflops").get<double>();
+  CHECK(stages[1].at("bound_ms").get<double>() == Approx(flopsBound));
+  const double bytesBound = stages[2].at("bytes").get<double>() * 1e-6 / result.at("copy_gbs").get<double>();
+  CHECK(stages[2].at("bound_ms").get<double>() == Approx(bytesBound));
+  CHECK_FALSE(stages[2].contains("operations"));
+  CHECK(stages.back().at("operations").get<double>() == kPerPixel * 64 * 48);
 
-const std::string page = io::readFile(directory.file("page") + "/index.html");
-CHECK(contains(page, "</html>"));
-CHECK(contains(page, "class Comparer"));
-CHECK(contains(page, "A prediction, not a measurement"));
-CHECK(contains(page, "\"sweep\":\"iterations\""));
-CHECK_FALSE(contains(page, "@"s + "INCLUDE"));
-CHECK_FALSE(contains(page, "@"s + "RESULTS"));
+  const std::string page = io::readFile(directory.file("page") + "/index.html");
+  CHECK(contains(page, "</html>"));
+  CHECK(contains(page, "class Comparer"));
+  CHECK(contains(page, "A prediction, not a measurement"));
+  CHECK(contains(page, "\"sweep\":\"iterations\""));
+  CHECK_FALSE(contains(page, "@"s + "INCLUDE"));
+  CHECK_FALSE(contains(page, "@"s + "RESULTS"));
 }
 
 TEST_CASE("bench puts pictures of every method into the page", "[cli]") {
