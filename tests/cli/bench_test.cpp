@@ -134,10 +134,10 @@ TEST_CASE("bench skips what the library refuses, size by size", "[cli]") {
 TEST_CASE("bench gives the output of denoise, and its errors, whatever runs beside", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.file("bench.json"), alone = directory.file("denoise.json");
-  REQUIRE(quell({"bench", "--solver", "gram,householder", "--input", kData, "--frames", "4", "--repeat", "1",
-                 "--json", file}) == 0);
-  REQUIRE(quell({"denoise", "--input", kData, "--frames", "4-7", "--set", "solver=householder", "--json",
-                 alone}) == 0);
+  REQUIRE(quell({"bench", "--methods", "bmfr", "--solver", "gram,householder", "--input", kData, "--frames",
+                 "4", "--repeat", "1", "--json", file}) == 0);
+  REQUIRE(quell({"denoise", "--method", "bmfr", "--input", kData, "--frames", "4-7", "--set",
+                 "solver=householder", "--json", alone}) == 0);
   const json run = readJson(file).at("runs").at(1), denoised = readJson(alone);
   CHECK(run.at("output_hash") == denoised.at("output_hash"));
   CHECK(run.at("settings") == denoised.at("settings"));

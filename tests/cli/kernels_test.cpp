@@ -63,7 +63,7 @@ TEST_CASE("kernels writes options and complete sources", "[cli]") {
     CHECK(kernel.at("options").get<std::string>().find("-D QUELL_LANES=16") != std::string::npos);
     const std::string source = list.at("sources").at(kernel.at("stem").get<std::string>());
     CHECK(source.find("__kernel") != std::string::npos);
-    CHECK(source.find("#include") == std::string::npos);
+    CHECK(source.find("#include \"") == std::string::npos);
   }
 }
 
