@@ -8,8 +8,11 @@
 #include "tests/cases/accumulate_noisy_case.hpp"
 #include "tests/cases/atrous_case.hpp"
 #include "tests/cases/blended_sum_case.hpp"
+#include "tests/cases/change_sums_case.hpp"
+#include "tests/cases/change_weight_case.hpp"
 #include "tests/cases/demodulate_case.hpp"
 #include "tests/cases/fit_case.hpp"
+#include "tests/cases/follow_change_case.hpp"
 #include "tests/cases/gram_solve_case.hpp"
 #include "tests/cases/gram_sums_case.hpp"
 #include "tests/cases/remodulate_case.hpp"
@@ -47,9 +50,12 @@ void addImageStages(std::vector<StageEntry>& entries, const std::string& variant
   const tests::AccumulateNoisyVariant full{kFullMaterial, false};
   entries.push_back(entry<tests::AccumulateNoisyCase>("accumulate_noisy." + variant, mapping, layout, full));
   const tests::AccumulateNoisyVariant guided{kFullMaterial, false, true, false};
+  const tests::AccumulateNoisyVariant innovation{kFullMaterial, false, true, false, false, false, true};
   const tests::AccumulateNoisyVariant twoSignals{tests::kTwoSignals, false, true, true};
   entries.push_back(
       entry<tests::AccumulateNoisyCase>("accumulate_noisy.moments_" + variant, mapping, layout, guided));
+  entries.push_back(entry<tests::AccumulateNoisyCase>("accumulate_noisy.innovation_" + variant, mapping,
+                                                      layout, innovation));
   entries.push_back(entry<tests::AccumulateNoisyCase>("accumulate_noisy.two_signals_" + variant, mapping,
                                                       layout, twoSignals));
   entries.push_back(entry<tests::DemodulateCase>("demodulate." + variant, mapping, layout));
@@ -76,15 +82,30 @@ void addWaveletStages(std::vector<StageEntry>& entries, const std::string& varia
   for (const int signals : {1, 2}) {
     const std::string name = variant + (signals == 2 ? "_two_signals" : "");
     entries.push_back(entry<tests::VarianceCase>("variance." + name, mapping, layout, signals));
+    const tests::AtrousVariant small{{signals, signals == 2}, true, 5, 0.3};
+    entries.push_back(entry<tests::AtrousCase>("atrous." + name + "_3x3_step16", mapping, layout, small));
     for (const int iteration : {1, 5}) {
       const tests::AtrousVariant guided{{signals, signals == 2}, true, iteration};
       entries.push_back(entry<tests::AtrousCase>(
           "atrous." + name + "_step" + std::to_string(1 << (iteration - 1)), mapping, layout, guided));
     }
   }
+  entries.push_back(entry<tests::VarianceCase>("variance." + variant + "_of_mean", mapping, layout, 1,
+                                               tests::VarianceOf::Mean));
   const tests::AtrousVariant plain{{1, false}, false, 1};
   entries.push_back(
       entry<tests::AtrousCase>("atrous." + variant + "_without_variance", mapping, layout, plain));
+}
+
+// Stages that follow changes of light.
+void addChangeStages(std::vector<StageEntry>& entries, const std::string& variant, Mapping mapping) {
+  const ImageLayout layout = tests::packed(3);
+  for (const int signals : {1, 2}) {
+    const std::string name = variant + (signals == 2 ? "_two_signals" : "");
+    entries.push_back(entry<tests::ChangeSumsCase>("change_sums." + name, mapping, layout, signals));
+    entries.push_back(entry<tests::ChangeWeightCase>("change_weight." + name, mapping, layout, signals));
+    entries.push_back(entry<tests::FollowChangeCase>("follow_change." + name, mapping, layout, signals));
+  }
 }
 
 // Stages of a fit from sums over tiles.
@@ -118,6 +139,7 @@ std::vector<StageEntry> stageEntries() {
     addImageStages(entries, std::string(name) + "_half4", mapping, tests::packedHalf(4));
     addPlaneStages(entries, name, mapping);
     addWaveletStages(entries, name, mapping);
+    addChangeStages(entries, name, mapping);
     addGramStages(entries, name, mapping);
     entries.push_back(entry<tests::FitCase>("fit." + std::string(name) + "_half", mapping, tests::packed(3),
                                             FeatureStorage::Half));

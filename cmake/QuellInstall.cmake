@@ -1,5 +1,16 @@
-# `cmake --install`: the library with its headers and a package for find_package(quell), and the tool.
+# `cmake --install`: the library with its headers and a package for find_package(quell) and pkg-config,
+# and the tool.
 include(CMakePackageConfigHelpers)
+
+# What a program in C must link besides a static library.
+set(QUELL_CXX_RUNTIME "")
+get_target_property(quell_type quell TYPE)
+if(quell_type STREQUAL STATIC_LIBRARY)
+  set(QUELL_CXX_RUNTIME ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
+  list(FILTER QUELL_CXX_RUNTIME INCLUDE REGEX "^(stdc\\+\\+|c\\+\\+|m)$")
+  list(REMOVE_DUPLICATES QUELL_CXX_RUNTIME)
+endif()
+include(QuellPkgConfig)
 
 install(TARGETS quell EXPORT quellTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -10,8 +10,8 @@
 //          F_beta (3 planes) where light is divided by it;
 //          with FILTER_GUIDES view depth (1 plane) and, where the caller has it, roughness (1 plane); where the caller
 //          has them, object ids (1 plane).
-// Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded: a cumulative mean
-//          first, an exponential one later.
+// Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded and limited: a
+//          cumulative mean first, an exponential one later.
 // Departures: history is double-buffered (the reference reads and overwrites it in one kernel); a NaN or Inf in
 //          radiance or emission is a missing sample: the pixel keeps its history, or becomes a hole that the filter
 //          fills; one in position or normal makes it pass through; positions are
@@ -22,6 +22,7 @@
 #include "common/luminance.h"
 #include "common/motion_images.h"
 #include "common/surface_images.h"
+#include "common/surfaces.h"
 
 typedef struct History {
   float3L irradiance;
@@ -74,13 +75,15 @@ QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
 
 // Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
 // as a filter tap. The pointers are those of the signal, moved to the pixel.
-QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisyParams params,
-                                 __global float* irradiance, __global float* moments, __global uchar* length,
+QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL mostFrames,
+                                 AccumulateNoisyParams params, __global float* irradiance,
+                                 __global float* moments, __global uchar* length,
                                  __global float* newestIrradiance, __global float* innovation) {
   const int stride = params.planes.stride;
   const intL hasHistory = history.weight > 0.0f;
-  const intL lengthPrev = floorLanes(history.length + 0.5f);
-  const floatL cumulative = 1.0f / (TO_FLOAT(lengthPrev) + 1.0f);
+  const intL frames = minLanesInt(floorLanes(history.length + 0.5f), mostFrames - 1);
+  const intL lengthPrev = wholeLength(turn, frames);
+  const floatL cumulative = 1.0f / (effectiveLength(turn, frames) + 1.0f);
   const floatL blend = sample.present ? maxLanes(cumulative, (floatL)(params.leastWeight)) : ZERO_LANES;
   float3L blended = add3(scale3(sample.irradiance, blend), scale3(history.irradiance, 1.0f - blend));
   blended = select3(sample.present || hasHistory, blended, splat3(0.0f));
@@ -99,11 +102,39 @@ QUELL_INLINE floatL storeBlended(History history, Sample sample, AccumulateNoisy
   storeLanes(sample.present || hasHistory ? first : ZERO_LANES, moments + QUELL_MOMENT_FIRST * stride);
   storeLanes(sample.present || hasHistory ? second : ZERO_LANES, moments + QUELL_MOMENT_SECOND * stride);
 #endif
-  storeByteLanes(
-      minLanesInt(lengthPrev + (sample.present ? (intL)(1) : (intL)(0)), (intL)(QUELL_MAX_HISTORY_LENGTH)),
-      length);
+  storeByteLanes(lengthPrev + (sample.present ? (intL)(1) : (intL)(0)), length);
   return (sample.present || hasHistory) ? (sample.present ? sample.weight : ONE_LANES) : ZERO_LANES;
 }
+
+#if SKIP
+// What others must find in pixels without a surface: nothing to filter, no history; see common/surfaces.h. Where the
+// background was matters to temporal_antialiasing alone, and to it only if rays are jittered.
+QUELL_INLINE void storeBackground(AccumulateNoisyParams params, __global const uchar* motionData, int x,
+                                  int y, int lanes, __global float* guides, __global uchar* historyLength,
+                                  __global float* pixelPrev, __global uchar* reprojectionMask,
+                                  __global float* viewDepth) {
+  const int stride = params.planes.stride;
+  const int index = planeIndex(params.planes, x, y);
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    storeLanes(ZERO_LANES, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
+    storeByteLanes((intL)(0), historyLength + s * stride + index);
+  }
+#if FILTER_GUIDES
+  storeLanes((floatL)(params.reprojection.viewDepth.w), viewDepth + index);
+#endif
+  if (params.jitters == 0) return;
+  Surface none;
+  none.position = splat3(0.0f);
+  none.normal = none.position;
+  none.valid = none.position.x != 0.0f;
+  floatL xPrev, yPrev;
+  const intL inside = findPrevious(params.reprojection, motionData, params.motion, params.planes, none, x, y,
+                                   lanes, &xPrev, &yPrev);
+  storeLanes(xPrev, pixelPrev + index);
+  storeLanes(yPrev, pixelPrev + index + stride);
+  storeByteLanes(inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0), reprojectionMask + index);
+}
+#endif
 
 __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARGUMENTS, MOTION_ARGUMENTS,
                                __global const float* irradiancePrev, __global const uchar* historyLengthPrev,
@@ -114,7 +145,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
                                __global uchar* reprojectionMask, __global float* viewDepth,
                                __global float* roughness, __global float* fBetaPlanes,
                                __global float* newestIrradiance, __global float* innovation,
-                               AccumulateNoisyParams params) {
+                               __global uchar* surfaces, AccumulateNoisyParams params) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
   const int x = (int)get_global_id(0) * QUELL_LANES;
@@ -123,6 +154,15 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
   const int lanes = min(QUELL_LANES, planes.width - x);
   const int index = planeIndex(planes, x, y);
 
+#if SKIP
+  const int hasSurface = anyLane(hasNormal(normalData, params.surface, x, y, lanes));
+  surfaces[surfaceIndex(planes, x, y)] = (uchar)(hasSurface ? 1 : 0);
+  if (!hasSurface) {
+    storeBackground(params, motionData, x, y, lanes, guides, historyLength, pixelPrev, reprojectionMask,
+                    viewDepth);
+    return;
+  }
+#endif
   const Surface surface =
       loadSurface(normalData, positionData, params.surface, params.reprojection, x, y, lanes);
   const float3L fBeta = loadFBeta(roughnessData, f0Data, fBetaTable, params.material, surface.position,
@@ -145,6 +185,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
     mask[s] = inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0);
   }
   const intL wanted = inside && surface.valid;
+  Turn turn = beginTurn(params.reprojection, planes, surface, xPrev, yPrev);
   if (anyLane(wanted)) {
     UNROLL_ON_GPU
     for (int i = 0; i < 4; ++i) {
@@ -156,6 +197,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
       const intL same = wanted && taps.inFrame[i] &&
                         sameHistory(params.reprojection, surface, objectId, positionPrev, normalPrev,
                                     objectIdsPrev + offset, taps.plan, limitSquared);
+      turn = addNormal(turn, same ? taps.weight[i] : ZERO_LANES, normalPrev);
       UNROLL_ON_GPU
       for (int s = 0; s < QUELL_SIGNALS; ++s) {
         const floatL weightPrev =
@@ -171,13 +213,17 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
     }
   }
 
+  turn = endTurn(turn, params.reprojection, surface);
+  // What does not move on the screen is not blurred by resampling, however old.
+  const intL still = xPrev == TO_FLOAT(x + LANE_INDEX) && yPrev == (floatL)((float)y);
+  const intL mostFrames = still ? (intL)(params.mostFramesStill) : (intL)(params.mostFrames);
   UNROLL_ON_GPU
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL weight =
-        storeBlended(normaliseHistory(history[s]), makeSample(material.signals[s], surface.valid), params,
-                     irradiance + 3 * s * stride + index, moments + QUELL_MOMENT_PLANES * s * stride + index,
-                     historyLength + s * stride + index, newestIrradiance + 3 * s * stride + index,
-                     innovation + s * stride + index);
+        storeBlended(normaliseHistory(history[s]), turn, makeSample(material.signals[s], surface.valid),
+                     mostFrames, params, irradiance + 3 * s * stride + index,
+                     moments + QUELL_MOMENT_PLANES * s * stride + index, historyLength + s * stride + index,
+                     newestIrradiance + 3 * s * stride + index, innovation + s * stride + index);
     storeLanes(weight, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
     storeByteLanes(mask[s], reprojectionMask + s * stride + index);
   }

@@ -14,6 +14,7 @@
 #include "atrous_params.h"
 #include "common/edge_stops.h"
 #include "common/luminance.h"
+#include "common/surfaces.h"
 
 #if TAP_RADIUS == 2
 // B3 spline: 3/8, 1/4, 1/16 for taps 0, 1 and 2 away.
@@ -135,16 +136,35 @@ QUELL_INLINE floatL sharpening(floatL roughness, AtrousParams params) {
 }
 #endif
 
+#if SKIP
+// Background has nothing to filter; only the variance next to surfaces, whose prefilter reads it, must be 0, in both of
+// the buffers that iterations write by turns.
+QUELL_INLINE void keepBackground(__global float* varianceOut, __global const uchar* surfaces,
+                                 AtrousParams params, int x, int y) {
+  if (params.iteration > 2 || !isNearSurface(surfaces, params.planes, x, y)) return;
+  const int index = planeIndex(params.planes, x, y);
+  for (int s = 0; s < QUELL_SIGNALS; ++s)
+    storeLanes(ZERO_LANES, varianceOut + s * params.planes.stride + index);
+}
+#endif
+
 __kernel void atrous(__global const float* irradiance, __global const float* variance,
                      __global const float* guides, __global const float* viewDepth,
                      __global const float* roughness, __global float* irradianceOut,
-                     __global float* varianceOut, AtrousParams params) {
+                     __global float* varianceOut, __global const uchar* surfaces, AtrousParams params) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
   if (x >= planes.width || y >= planes.height) return;
   const int index = planeIndex(planes, x, y);
+  const FilterPlanes from = {irradiance, variance, guides, viewDepth, roughness};
+#if SKIP
+  if (isBackground(surfaces, planes, x, y)) {
+    keepBackground(varianceOut, surfaces, params, x, y);
+    return;
+  }
+#endif
   const int reach = TAP_RADIUS * params.step;
   const int atBorder =
       x < reach || y < reach || x + QUELL_LANES + reach > planes.width || y + reach >= planes.height;
@@ -171,19 +191,21 @@ __kernel void atrous(__global const float* irradiance, __global const float* var
     sums[s].weight = ZERO_LANES;
     sums[s] = addFiltered(sums[s], value, ownVariance, splineWeight(0) * splineWeight(0) * weight);
   }
-  const FilterPlanes from = {irradiance, variance, guides, viewDepth, roughness};
   if (atBorder) {
     for (int tapY = -TAP_RADIUS; tapY <= TAP_RADIUS; ++tapY)
       addTapRow(sums, centre, from, params, x, y, tapY, 1);
   } else {
     // Written out: every weight and offset of a tap is then a constant.
+    // In the order of the border, so that sums do not depend on where a group of lanes ends.
 #if TAP_RADIUS == 2
     addTapRow(sums, centre, from, params, x, y, -2, 0);
-    addTapRow(sums, centre, from, params, x, y, 2, 0);
 #endif
     addTapRow(sums, centre, from, params, x, y, -1, 0);
     addTapRow(sums, centre, from, params, x, y, 0, 0);
     addTapRow(sums, centre, from, params, x, y, 1, 0);
+#if TAP_RADIUS == 2
+    addTapRow(sums, centre, from, params, x, y, 2, 0);
+#endif
   }
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL inverse = sums[s].weight > 0.0f ? 1.0f / sums[s].weight : ZERO_LANES;

@@ -15,6 +15,7 @@ typedef struct AtrousParams {
   QuellFloat sharpening;  // 1: the stop on luminance narrows below the roughness that follows, 0: nowhere
   QuellFloat inverseSharpRoughness;  // 1 / that roughness
   QuellInt step;                     // pixels between taps
+  QuellInt iteration;                // from 1 on; only with SKIP
 } AtrousParams;
 
 QUELL_NAMESPACE_END

@@ -10,6 +10,7 @@
 #include "common/guides.h"
 #include "common/luminance.h"
 #include "common/planes.h"
+#include "common/surfaces.h"
 
 // Tiles around each pixel, and where it lies between their centres.
 typedef struct TileMix {
@@ -36,6 +37,17 @@ QUELL_INLINE TileMix mixTiles(ChangeParams params, int x, int y) {
   return mix;
 }
 
+// Whether one of the tiles around the pixels from x on has more than the least weight: where the light is still, the
+// answer costs less than interpolating.
+QUELL_INLINE int anyTileAbove(__global const float* weights, ChangeParams params, TileMix mix, int x) {
+  const int first = max((x - QUELL_CHANGE_TILE / 2) / QUELL_CHANGE_TILE, 0);
+  const int last = min((x + QUELL_LANES - 1 + QUELL_CHANGE_TILE / 2) / QUELL_CHANGE_TILE, params.tilesX - 1);
+  float largest = 0.0f;
+  for (int column = first; column <= last; ++column)
+    largest = max(largest, max(weights[mix.top + column], weights[mix.bottom + column]));
+  return largest > params.leastWeight;
+}
+
 QUELL_INLINE floatL mixedWeight(__global const float* weights, TileMix mix) {
   const float below = mix.fractionY;
   const floatL left = gatherLanes(weights + mix.top, mix.left) * (1.0f - below) +
@@ -57,22 +69,29 @@ QUELL_INLINE floatL towards(floatL value, floatL newest, floatL share) {
 
 __kernel void follow_change(__global const float* weights, __global const float* newestIrradiance,
                             __global float* irradiance, __global float* moments,
-                            __global uchar* historyLength, ChangeParams params) {
+                            __global uchar* historyLength, __global const uchar* surfaces,
+                            ChangeParams params) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
   if (x >= planes.width || y >= planes.height) return;
+#if SKIP
+  if (isBackground(surfaces, planes, x, y)) return;
+#endif
   const int index = planeIndex(planes, x, y);
   const TileMix mix = mixTiles(params, x, y);
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    if (!anyTileAbove(weights + s * params.tilesX * params.tilesY, params, mix, x)) continue;
     const floatL wanted = mixedWeight(weights + s * params.tilesX * params.tilesY, mix);
     if (!anyLane(wanted > params.leastWeight)) continue;
     __global uchar* length = historyLength + s * stride + index;
     const intL frames = loadByteLanes(length);
     const floatL cumulative = 1.0f / TO_FLOAT(maxLanesInt(frames, (intL)(1)));
     const floatL given = maxLanes(cumulative, (floatL)(params.leastWeight));
-    const floatL share = shareFor(wanted, given);
+    const intL changed = wanted > given;
+    if (!anyLane(changed)) continue;
+    const floatL share = changed ? shareFor(wanted, given) : ZERO_LANES;
     const float3L newest = loadLanes3(newestIrradiance + 3 * s * stride, index, stride);
     float3L blended = loadLanes3(irradiance + 3 * s * stride, index, stride);
     blended.x = towards(blended.x, newest.x, share);
@@ -80,13 +99,13 @@ __kernel void follow_change(__global const float* weights, __global const float*
     blended.z = towards(blended.z, newest.z, share);
     storeLanes3(blended, irradiance + 3 * s * stride, index, stride);
 
-    const floatL momentsShare = shareFor(wanted, maxLanes(cumulative, (floatL)(params.momentsLeastWeight)));
+    const floatL momentsGiven = maxLanes(cumulative, (floatL)(params.momentsLeastWeight));
+    const floatL momentsShare = changed ? shareFor(wanted, momentsGiven) : ZERO_LANES;
     const floatL newestLuminance = luminance(newest);
     __global float* first = moments + (QUELL_MOMENT_PLANES * s + QUELL_MOMENT_FIRST) * stride + index;
     __global float* second = moments + (QUELL_MOMENT_PLANES * s + QUELL_MOMENT_SECOND) * stride + index;
     storeLanes(towards(loadLanes(first), newestLuminance, momentsShare), first);
     storeLanes(towards(loadLanes(second), newestLuminance * newestLuminance, momentsShare), second);
-    const intL worth = floorLanes(1.0f / maxLanes(wanted, given) + 0.5f);
-    storeByteLanes(minLanesInt(frames, worth), length);
+    storeByteLanes(changed ? floorLanes(1.0f / maxLanes(wanted, given) + 0.5f) : frames, length);
   }
 }

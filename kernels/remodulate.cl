@@ -8,6 +8,7 @@
 #include "common/guides.h"
 #include "common/material.h"
 #include "common/planes.h"
+#include "common/surfaces.h"
 #include "remodulate_params.h"
 
 QUELL_INLINE floatL blendChannel(floatL share, floatL factor, floatL filtered, floatL signal) {
@@ -26,11 +27,15 @@ QUELL_INLINE float3L remodulateSignal(Signal signal, float3L filtered, intL surf
 
 __kernel void remodulate(__global const float* filtered, __global const float* guides,
                          __global const float* fBetaPlanes, MATERIAL_ARGUMENTS, __global float* linearPlanes,
-                         __global uchar* outputData, RemodulateParams params) {
+                         __global uchar* outputData, __global const uchar* surfaces,
+                         RemodulateParams params) {
   const PlaneParams planes = params.planes;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
   if (x >= planes.width || y >= planes.height) return;
+#if SKIP
+  if (isBackground(surfaces, planes, x, y)) return;  // the stage background has done it
+#endif
   const int lanes = min(QUELL_LANES, planes.width - x);
   const int index = planeIndex(planes, x, y);
 

@@ -8,6 +8,7 @@
 // Departures: a pixel that was outside the frame before keeps the newest colour (the reference divides 0 by 0 there).
 #include "accumulate_noisy_params.h"
 #include "common/reprojection.h"
+#include "common/surfaces.h"
 #include "temporal_antialiasing_params.h"
 
 // RGB to YCoCg with gains of 4 left in; the inverse takes them out.
@@ -79,11 +80,15 @@ QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA
 __kernel void temporal_antialiasing(__global const float* encoded, __global const float* antialiasedPrev,
                                     __global const float* pixelPrev, __global const uchar* reprojectionMask,
                                     __global float* antialiased, __global uchar* outputData,
-                                    TemporalAntialiasingParams params) {
+                                    __global const uchar* surfaces, TemporalAntialiasingParams params) {
   const PlaneParams planes = params.planes;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
   if (x >= planes.width || y >= planes.height) return;
+#if SKIP
+  // The stage background has done it.
+  if (params.jitters == 0 && isBackground(surfaces, planes, x, y)) return;
+#endif
   const int index = planeIndex(planes, x, y);
 
   const float3L newest = loadLanes3(encoded, index, planes.stride);

@@ -10,6 +10,7 @@ typedef struct TemporalAntialiasingParams {
   PlaneParams planes;
   ImageViewParams output;
   QuellFloat newestWeight;  // weight of the newest frame, (0, 1]
+  QuellInt jitters;  // whether this frame or the one before is sampled off the pixel centres; only with SKIP
 } TemporalAntialiasingParams;
 
 QUELL_NAMESPACE_END

@@ -3,11 +3,12 @@
 //          "when few samples have been accumulated at a given pixel, its variance is instead computed using its
 //          neighbors by a bilateral filter with feature weights", 7x7 pixels.
 // In:      moments of luminance (2 planes per signal), history length (bytes per signal), guides, view depth.
-// Out:     variance (1 plane per signal), >= 0; with OF_MEAN that of the accumulated irradiance: divided by the samples
-//          that it is worth.
+// Out:     variance (1 plane per signal), >= 0; with OF_MEAN that of the accumulated irradiance: divided by the
+//          history length.
 // Border:  taps outside the image are left out.
 // Departures: the spatial estimate is raised by temporalFrames / history length: the moments of one frame know less.
 #include "common/edge_stops.h"
+#include "common/surfaces.h"
 #include "variance_params.h"
 
 typedef struct MomentSums {
@@ -52,13 +53,20 @@ QUELL_INLINE floatL momentsToVariance(floatL first, floatL second) {
 
 __kernel void variance(__global const float* moments, __global const uchar* historyLength,
                        __global const float* guides, __global const float* viewDepth,
-                       __global float* varianceOut, VarianceParams params) {
+                       __global float* varianceOut, __global const uchar* surfaces, VarianceParams params) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
   if (x >= planes.width || y >= planes.height) return;
   const int index = planeIndex(planes, x, y);
+#if SKIP
+  if (isBackground(surfaces, planes, x, y)) {
+    if (!isNearSurface(surfaces, planes, x, y)) return;
+    for (int s = 0; s < QUELL_SIGNALS; ++s) storeLanes(ZERO_LANES, varianceOut + s * stride + index);
+    return;
+  }
+#endif
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     __global const float* signalMoments = moments + QUELL_MOMENT_PLANES * s * stride;
     __global const float* weights = guides + (QUELL_GUIDE_WEIGHT + s) * stride;
@@ -76,7 +84,7 @@ __kernel void variance(__global const float* moments, __global const uchar* hist
       result = isShort ? spatial * raised : result;
     }
 #if OF_MEAN
-    result /= minLanes(TO_FLOAT(maxLanesInt(length, (intL)(1))), (floatL)(params.mostSamples));
+    result /= TO_FLOAT(maxLanesInt(length, (intL)(1)));
 #endif
     storeLanes(result, varianceOut + s * stride + index);
   }

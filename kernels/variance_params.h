@@ -11,7 +11,6 @@ typedef struct VarianceParams {
   PlaneParams planes;
   EdgeStopParams stops;
   QuellInt temporalFrames;  // history length from which on the variance over time is trusted
-  QuellFloat mostSamples;   // independent samples that the longest history is worth; only with OF_MEAN
 } VarianceParams;
 
 QUELL_NAMESPACE_END

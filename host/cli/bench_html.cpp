@@ -6,6 +6,7 @@
 #include "host/cli/bench_report.hpp"
 #include "host/cli/gpu_model.hpp"
 #include "host/cli/report_page.hpp"
+#include "host/io/base64.hpp"
 #include "host/io/png_image.hpp"
 
 namespace quell::cli {
@@ -15,25 +16,13 @@ using nlohmann::json;
 
 constexpr char kPlaceholder[] = "@RESULTS@";
 
-std::string base64(const std::vector<unsigned char>& bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < count ? bytes[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 json picturesJson(const std::vector<BenchPicture>& pictures) {
   json list = json::array();
   for (const BenchPicture& picture : pictures)
     list.push_back({{"input", picture.input},
                     {"frame", picture.frame},
                     {"name", picture.name},
-                    {"png", "data:image/png;base64," + base64(io::encodePng(picture.name, picture.image))}});
+                    {"png", "data:image/png;base64," + io::base64(io::encodePng(picture.image))}});
   return list;
 }
 

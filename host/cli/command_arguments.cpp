@@ -67,6 +67,35 @@ Options makeOptions(const DeviceArguments& arguments, TimerMode timers) {
   return result;
 }
 
+void addMethodArguments(CLI::App& command, MethodArguments& arguments) {
+  command.add_option("--method", arguments.method, "Method")
+      ->check(CLI::IsMember(methodNames()))
+      ->capture_default_str();
+  command.add_option("--taa", arguments.taa, "Temporal antialiasing of the display image")
+      ->check(CLI::IsMember({"on", "off"}));
+  command.add_flag("--no-skip", arguments.noSkip,
+                   "Leave nothing out, short for --set skip=off (method quell)");
+  command.add_option("--demodulate", arguments.demodulate, "Short for --set demodulate=...");
+  command.add_option("--preset", arguments.preset, "Settings to start from: default, or those of the paper")
+      ->check(CLI::IsMember({"default", "paper"}))
+      ->capture_default_str();
+  command.add_option("--features", arguments.features, "Features of the fit, short for --set features=...");
+  command.add_option("--set", arguments.settings, "A setting of the method, name=value; may be repeated");
+}
+
+Settings applyMethodArguments(const char* command, const MethodArguments& arguments, Settings settings) {
+  if (arguments.preset != "default") settings.usePreset(arguments.preset);
+  if (!arguments.taa.empty()) settings.set("taa", arguments.taa);
+  if (arguments.noSkip) settings.set("skip", "off");
+  if (!arguments.demodulate.empty()) settings.set("demodulate", arguments.demodulate);
+  if (!arguments.features.empty()) settings.set("features", arguments.features);
+  for (const std::string& assignment : arguments.settings) {
+    const auto [name, value] = parseAssignment(command, "--set", assignment);
+    settings.set(name, value);
+  }
+  return settings;
+}
+
 bool hasSetting(const std::string& method, const std::string& setting) {
   const std::vector<SettingDescription>& all = methodSettings(method);
   return std::any_of(all.begin(), all.end(),

@@ -5,6 +5,7 @@
 #include <quell/quell.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "host/io/frame_sequence.hpp"
 
@@ -36,6 +37,22 @@ struct DeviceArguments {
 /// `arguments` must live as long as `command`.
 void addDeviceArguments(CLI::App& command, DeviceArguments& arguments);
 Options makeOptions(const DeviceArguments& arguments, TimerMode timers);
+
+/// Which method runs with which settings: --method, --preset, --taa, --demodulate, --features and --set.
+struct MethodArguments {
+  std::string method = Settings().method();
+  std::string preset = "default";
+  std::string taa;
+  bool noSkip = false;
+  std::string demodulate;
+  std::string features;
+  std::vector<std::string> settings;  ///< name=value
+};
+
+/// `arguments` must live as long as `command`.
+void addMethodArguments(CLI::App& command, MethodArguments& arguments);
+/// `settings` with what the arguments say on top. Throws what Settings throws, and Error(InvalidArgument).
+Settings applyMethodArguments(const char* command, const MethodArguments& arguments, Settings settings);
 
 /// True if the method has a setting of this name. Throws Error(UnknownSetting) for an unknown method.
 bool hasSetting(const std::string& method, const std::string& setting);

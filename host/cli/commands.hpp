@@ -9,6 +9,7 @@ namespace quell::cli {
 void addDenoiseCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
+void addDemoCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addFBetaCommand(CLI::App& app);
 void addKernelsCommand(CLI::App& app);

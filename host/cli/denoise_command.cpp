@@ -24,21 +24,19 @@ namespace {
 constexpr char kCommand[] = "denoise";
 
 struct DenoiseOptions {
-  std::string method = "bmfr";
+  MethodArguments method;
   std::string input;
   std::string output;
   std::string frames;
   std::string size = "1280x720";
-  std::string taa;
-  std::string preset = "default";
-  std::string demodulate;
-  std::string features;
   std::string timers = "device";
+  std::string motion = "auto";
   std::string json;
-  std::vector<std::string> settings;
   DeviceArguments device;
   int analyticFrames = 16;
   int signals = 1;
+  double skyShare = 0.0;
+  bool stillCamera = false;
   bool png = false;
   bool exr = false;
   bool copyBandwidth = false;
@@ -52,6 +50,8 @@ std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
   analytic.width = size.width;
   analytic.height = size.height;
   analytic.frameCount = options.analyticFrames;
+  analytic.skyShare = options.skyShare;
+  analytic.movingCamera = !options.stillCamera;
   return io::makeAnalyticSequence(analytic);
 }
 
@@ -68,19 +68,6 @@ std::vector<int> chooseFrames(const DenoiseOptions& options, const io::FrameSequ
   return frames;
 }
 
-Settings makeSettings(const DenoiseOptions& options, const io::FrameSequence& sequence) {
-  Settings settings = defaultSettings(options.method, sequence);
-  if (options.preset != "default") settings.usePreset(options.preset);
-  if (!options.taa.empty()) settings.set("taa", options.taa);
-  if (!options.demodulate.empty()) settings.set("demodulate", options.demodulate);
-  if (!options.features.empty()) settings.set("features", options.features);
-  for (const std::string& assignment : options.settings) {
-    const auto [name, value] = parseAssignment(kCommand, "--set", assignment);
-    settings.set(name, value);
-  }
-  return settings;
-}
-
 TimerMode timerMode(const std::string& name) {
   if (name == "off") return TimerMode::Off;
   return name == "host" ? TimerMode::Host : TimerMode::Device;
@@ -89,7 +76,8 @@ TimerMode timerMode(const std::string& name) {
 void runDenoise(const DenoiseOptions& options) {
   const std::unique_ptr<io::FrameSequence> sequence = openInput(options);
   const std::vector<int> frames = chooseFrames(options, *sequence);
-  const Settings settings = makeSettings(options, *sequence);
+  const Settings settings =
+      applyMethodArguments(kCommand, options.method, defaultSettings(options.method.method, *sequence));
   std::unique_ptr<OutputFiles> files;
   if (!options.output.empty())
     files = std::make_unique<OutputFiles>(options.output,
@@ -97,7 +85,8 @@ void runDenoise(const DenoiseOptions& options) {
 
   io::FrameData frame = sequence->read(frames.front());
   const Options deviceOptions = makeOptions(options.device, timerMode(options.timers));
-  DenoiseSession session(options.device.device, settings, deviceOptions, frame);
+  const MotionUse motion = options.motion == "off" ? MotionUse::Never : MotionUse::WherePresent;
+  DenoiseSession session(options.device.device, settings, deviceOptions, frame, motion);
   DenoiseReport report;
   report.device = session.device();
   report.settings = settings;
@@ -139,11 +128,13 @@ void runDenoise(const DenoiseOptions& options) {
 void addDenoiseCommand(CLI::App& app) {
   auto options = std::make_shared<DenoiseOptions>();
   CLI::App* command = app.add_subcommand("denoise", "Denoise a frame sequence and report time and error");
-  command->add_option("--method", options->method, "Method")
-      ->check(CLI::IsMember(methodNames()))
-      ->capture_default_str();
-  command->add_option("--input", options->input,
-                      "Directory with a sequence (see data/README.md); without it a built-in one is made up");
+  addMethodArguments(*command, options->method);
+  command->add_option(
+      "--input", options->input,
+      "Directory with a sequence (see data/README.md), or a multilayer OpenEXR file as Blender's Cycles "
+      "writes it, "
+      "or a directory of these; without it a built-in sequence is made up. Multilayer files need the passes "
+      "Combined and Normal, and both of Position and Depth, or one of them and camera.json");
   command->add_option("--output", options->output,
                       "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
   command->add_option("--frames", options->frames, "Frames A-B; default: all");
@@ -151,17 +142,19 @@ void addDenoiseCommand(CLI::App& app) {
   command->add_option("--frame-count", options->analyticFrames, "Length of the built-in sequence")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--taa", options->taa, "Temporal antialiasing of the display image")
-      ->check(CLI::IsMember({"on", "off"}));
+  command->add_option("--sky-share", options->skyShare, "Share of the built-in sequence's rows that show sky")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_flag("--still-camera", options->stillCamera,
+                    "The camera of the built-in sequence stands still");
   command->add_option("--signals", options->signals, "1, or 2: diffuse and glossy light side by side")
       ->check(CLI::Range(1, 2))
       ->capture_default_str();
-  command->add_option("--demodulate", options->demodulate, "Short for --set demodulate=...");
-  command->add_option("--preset", options->preset, "Settings to start from: default, or those of the paper")
-      ->check(CLI::IsMember({"default", "paper"}))
+  command
+      ->add_option("--motion", options->motion,
+                   "Motion vectors and object ids: auto, used where the sequence has them, or off")
+      ->check(CLI::IsMember({"auto", "off"}))
       ->capture_default_str();
-  command->add_option("--features", options->features, "Features of the fit, short for --set features=...");
-  command->add_option("--set", options->settings, "A setting of the method, name=value; may be repeated");
   command->add_option("--timers", options->timers, "Where stage times come from")
       ->check(CLI::IsMember({"device", "host", "off"}))
       ->capture_default_str();

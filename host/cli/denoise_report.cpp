@@ -40,10 +40,12 @@ json figuresJson(const metrics::ErrorFigures& figures) {
           {"flip", number(figures.flip)}, {"relmse", number(figures.relMse)}};
 }
 
-void addTimings(json& result, const Timings& timings) {
-  result["time_source"] = toString(timings.source);
-  result["frame_ms"] = statisticsJson(timings.frame);
-  result["stages"] = json::array();
+}  // namespace
+
+json toJson(const Timings& timings) {
+  json result = {{"time_source", toString(timings.source)},
+                 {"frame_ms", statisticsJson(timings.frame)},
+                 {"stages", json::array()}};
   for (const StageTimings& stage : timings.stages) {
     result["stages"].push_back({{"name", stage.stage},
                                 {"label", stage.label},
@@ -53,53 +55,60 @@ void addTimings(json& result, const Timings& timings) {
                                 {"bytes", stage.bytesMoved}});
     if (stage.skippedShare) result["stages"].back()["skipped_share"] = *stage.skippedShare;
   }
+  return result;
 }
 
-void printRow(const std::string& name, const TimeStatistics& time, std::uint64_t bytes,
-              const DenoiseReport& report) {
+namespace {
+
+std::string rowText(const std::string& name, const TimeStatistics& time, std::uint64_t bytes,
+                    const DenoiseReport& report) {
   const double gbs = gigabytesPerSecond(bytes, time);
-  fmt::print("  {:<32}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.1f}{:>8.1f}", name, time.medianMs, time.minMs, time.maxMs,
-             static_cast<double>(bytes) * 1e-6, gbs);
+  std::string row = fmt::format("  {:<32}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.1f}{:>8.1f}", name, time.medianMs,
+                                time.minMs, time.maxMs, static_cast<double>(bytes) * 1e-6, gbs);
   if (report.copyMs)
-    fmt::print("{:>8.1f}{:>7.0f} %", time.medianMs / *report.copyMs, 100.0 * gbs / *report.copyGbs);
-  fmt::print("\n");
+    row += fmt::format("{:>8.1f}{:>7.0f} %", time.medianMs / *report.copyMs, 100.0 * gbs / *report.copyGbs);
+  return row + "\n";
 }
 
 std::string skippedText(const StageTimings& stage) {
   return stage.skippedShare ? fmt::format(", {:.0f} % skipped", 100.0 * *stage.skippedShare) : "";
 }
 
-void printTimings(const DenoiseReport& report) {
+std::string timingsText(const DenoiseReport& report) {
   const Timings& timings = *report.timings;
-  fmt::print("\n  {:<32}{:>9}{:>9}{:>9}{:>9}{:>8}",
-             fmt::format("stage ({} time, ms)", toString(timings.source)), "median", "min", "max", "MB",
-             "GB/s");
-  if (report.copyMs) fmt::print("{:>8}{:>9}", "copies", "of copy");
-  fmt::print("\n");
+  std::string text = fmt::format("\n  {:<32}{:>9}{:>9}{:>9}{:>9}{:>8}",
+                                 fmt::format("stage ({} time, ms)", toString(timings.source)), "median",
+                                 "min", "max", "MB", "GB/s");
+  if (report.copyMs) text += fmt::format("{:>8}{:>9}", "copies", "of copy");
+  text += "\n";
   for (const StageTimings& stage : timings.stages)
-    printRow(stage.label + skippedText(stage), stage.time, stage.bytesMoved, report);
+    text += rowText(stage.label + skippedText(stage), stage.time, stage.bytesMoved, report);
   const StageTimings sum = sumOfStages(timings);
-  printRow(sum.stage, sum.time, sum.bytesMoved, report);
-  printRow("frame, gaps included", timings.frame, sum.bytesMoved, report);
+  text += rowText(sum.stage, sum.time, sum.bytesMoved, report);
+  text += rowText("frame, gaps included", timings.frame, sum.bytesMoved, report);
   if (report.copyMs)
-    fmt::print("  one copy (22.1 MB at {:.1f} GB/s) takes {:.3f} ms\n", *report.copyGbs, *report.copyMs);
+    text +=
+        fmt::format("  one copy (22.1 MB at {:.1f} GB/s) takes {:.3f} ms\n", *report.copyGbs, *report.copyMs);
+  return text;
 }
 
 std::string text(const std::optional<double>& value) { return value ? fmt::format("{:.4f}", *value) : "-"; }
 
-void printFigures(const std::string& name, const metrics::ErrorFigures& figures) {
-  fmt::print("  {:<24}{:>9.4f}{:>10}{:>9.2f}{:>9.3f}{:>9.4f}{:>9}\n", name, figures.rmse,
-             text(figures.unbiasedRmse), figures.psnr, figures.ssim, figures.flip, text(figures.relMse));
+std::string figuresText(const std::string& name, const metrics::ErrorFigures& figures) {
+  return fmt::format("  {:<24}{:>9.4f}{:>10}{:>9.2f}{:>9.3f}{:>9.4f}{:>9}\n", name, figures.rmse,
+                     text(figures.unbiasedRmse), figures.psnr, figures.ssim, figures.flip,
+                     text(figures.relMse));
 }
 
-void printErrors(const std::vector<FrameErrors>& errors) {
-  fmt::print("\n  {:<24}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}\n", "error", "RMSE", "unbiased", "PSNR", "SSIM",
-             "FLIP", "relMSE");
+std::string errorsText(const std::vector<FrameErrors>& errors) {
+  std::string lines = fmt::format("\n  {:<24}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}\n", "error", "RMSE", "unbiased",
+                                  "PSNR", "SSIM", "FLIP", "relMSE");
   for (const FrameErrors& frame : errors) {
-    printFigures(fmt::format("frame {} noisy input", frame.frame), frame.noisy);
-    printFigures(fmt::format("frame {} denoised", frame.frame), frame.linear);
-    printFigures(fmt::format("frame {} display", frame.frame), frame.display);
+    lines += figuresText(fmt::format("frame {} noisy input", frame.frame), frame.noisy);
+    lines += figuresText(fmt::format("frame {} denoised", frame.frame), frame.linear);
+    lines += figuresText(fmt::format("frame {} display", frame.frame), frame.display);
   }
+  return lines;
 }
 
 }  // namespace
@@ -112,7 +121,12 @@ FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denois
 }
 
 metrics::TrackedFrame trackFrame(const io::FrameData& frame, const DenoisedFrame& denoised) {
-  return {metrics::encodeForDisplay(denoised.linear), frame.normalWorld, frame.positionWorld, frame.camera};
+  return {metrics::encodeForDisplay(denoised.linear),
+          frame.normalWorld,
+          frame.positionWorld,
+          frame.camera,
+          frame.motion,
+          frame.objectId};
 }
 
 StageTimings sumOfStages(const Timings& timings) {
@@ -145,7 +159,7 @@ json toJson(const DenoiseReport& report) {
                  {"frames", report.frames},
                  {"memory_bytes", report.memory.totalBytes},
                  {"output_hash", report.outputHash}};
-  if (report.timings) addTimings(result, *report.timings);
+  if (report.timings) result.update(toJson(*report.timings));
   if (report.copyMs) {
     result["copy_ms"] = *report.copyMs;
     result["copy_gbs"] = *report.copyGbs;
@@ -161,16 +175,21 @@ json toJson(const DenoiseReport& report) {
   return result;
 }
 
-void print(const DenoiseReport& report) {
-  fmt::print("{}, {} frames of {}x{} on {} (driver {})\n", report.settings.method(), report.frames,
-             report.size.width, report.size.height, report.device.name, report.device.driverVersion);
-  fmt::print("device memory {:.1f} MiB, output hash {}\n",
-             static_cast<double>(report.memory.totalBytes) / kMebibyte, report.outputHash);
-  if (report.timings) printTimings(report);
-  if (!report.errors.empty()) printErrors(report.errors);
+std::string toText(const DenoiseReport& report) {
+  std::string text =
+      fmt::format("{}, {} frames of {}x{} on {} (driver {})\n", report.settings.method(), report.frames,
+                  report.size.width, report.size.height, report.device.name, report.device.driverVersion);
+  text += fmt::format("device memory {:.1f} MiB, output hash {}\n",
+                      static_cast<double>(report.memory.totalBytes) / kMebibyte, report.outputHash);
+  if (report.timings) text += timingsText(report);
+  if (!report.errors.empty()) text += errorsText(report.errors);
   if (report.temporalError)
-    fmt::print("  temporal error, motion-compensated (mean luma difference of consecutive frames): {:.5f}\n",
-               *report.temporalError);
+    text += fmt::format(
+        "  temporal error, motion-compensated (mean luma difference of consecutive frames): {:.5f}\n",
+        *report.temporalError);
+  return text;
 }
+
+void print(const DenoiseReport& report) { fmt::print("{}", toText(report)); }
 
 }  // namespace quell::cli

@@ -51,7 +51,9 @@ StageTimings sumOfStages(const Timings& timings);
 double gigabytesPerSecond(std::uint64_t bytes, const TimeStatistics& time);
 
 const char* toString(TimeSource source);  ///< "device" or "host"
+nlohmann::json toJson(const Timings& timings);
 nlohmann::json toJson(const DenoiseReport& report);
-void print(const DenoiseReport& report);
+std::string toText(const DenoiseReport& report);
+void print(const DenoiseReport& report);  ///< its text
 
 }  // namespace quell::cli

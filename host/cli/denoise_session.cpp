@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,18 @@ constexpr InputImage kInputs[] = {
     {&io::FrameData::f0, &Frame::f0},
 };
 
+constexpr InputImage kMotionInputs[] = {
+    {&io::FrameData::motion, &Frame::motion},
+    {&io::FrameData::objectId, &Frame::objectId},
+};
+
+std::vector<InputImage> usedInputs(MotionUse motion) {
+  std::vector<InputImage> inputs(std::begin(kInputs), std::end(kInputs));
+  if (motion == MotionUse::WherePresent)
+    inputs.insert(inputs.end(), std::begin(kMotionInputs), std::end(kMotionInputs));
+  return inputs;
+}
+
 std::size_t bytesOf(const io::Image& image) { return image.pixels.size() * sizeof(float); }
 
 }  // namespace
@@ -37,8 +50,9 @@ std::size_t bytesOf(const io::Image& image) { return image.pixels.size() * sizeo
 class DenoiseSession::Implementation {
  public:
   Implementation(const std::string& deviceSpec, const Settings& settings, const Options& options,
-                 const io::FrameData& example)
-      : m_info(chooseDevice(deviceSpec)),
+                 const io::FrameData& example, MotionUse motion)
+      : m_inputs(usedInputs(motion)),
+        m_info(chooseDevice(deviceSpec)),
         m_device(m_info.device, true),
         m_context(m_device),
         m_queue(
@@ -47,7 +61,7 @@ class DenoiseSession::Implementation {
         m_denoiser(m_context(), m_device(), m_queue(), settings, options) {
     m_frame.size = {example.radiance.width, example.radiance.height};
     m_frame.demodulated = example.demodulated;
-    for (const InputImage& input : kInputs) {
+    for (const InputImage& input : m_inputs) {
       const io::Image& image = example.*input.source;
       if (image.empty()) continue;
       m_buffers.emplace_back(m_context, CL_MEM_READ_ONLY, bytesOf(image));
@@ -59,7 +73,7 @@ class DenoiseSession::Implementation {
   }
 
   void run(const io::FrameData& data) {
-    for (const InputImage& input : kInputs) upload(data.*input.source, m_frame.*input.view, data);
+    for (const InputImage& input : m_inputs) upload(data.*input.source, m_frame.*input.view, data);
     m_frame.camera = data.camera;
     const Event done = m_denoiser.denoise(m_frame, m_output);
     done.wait();
@@ -70,6 +84,7 @@ class DenoiseSession::Implementation {
     return {download(m_output.linear), download(m_output.display)};
   }
 
+  const std::vector<InputImage> m_inputs;
   const DeviceInfo m_info;
   cl::Device m_device;
   cl::Context m_context;
@@ -111,9 +126,9 @@ class DenoiseSession::Implementation {
 };
 
 DenoiseSession::DenoiseSession(const std::string& deviceSpec, const Settings& settings,
-                               const Options& options, const io::FrameData& example)
+                               const Options& options, const io::FrameData& example, MotionUse motion)
     : m_implementation(withClErrors("denoise", [&] {
-        return std::make_unique<Implementation>(deviceSpec, settings, options, example);
+        return std::make_unique<Implementation>(deviceSpec, settings, options, example, motion);
       })) {}
 
 DenoiseSession::~DenoiseSession() = default;

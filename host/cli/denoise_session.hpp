@@ -16,12 +16,15 @@ struct DenoisedFrame {
   io::Image display;
 };
 
+/// Whether motion vectors and object ids of a sequence reach the denoiser.
+enum class MotionUse { WherePresent, Never };
+
 class DenoiseSession {
  public:
   /// Opens a device of its own (`deviceSpec` as for chooseDevice) and prepares a denoiser for frames that
   /// look like `example`. Throws quell::Error.
   DenoiseSession(const std::string& deviceSpec, const Settings& settings, const Options& options,
-                 const io::FrameData& example);
+                 const io::FrameData& example, MotionUse motion = MotionUse::WherePresent);
   ~DenoiseSession();
 
   /// Uploads, denoises and downloads; blocks.

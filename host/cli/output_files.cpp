@@ -44,12 +44,18 @@ void OutputFiles::write(int frame, const DenoisedFrame& denoised) const {
 
 void OutputFiles::writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,
                                   const io::Reference& reference) const {
-  const int width = denoised.display.width;
-  io::Image sheet(3 * width, denoised.display.height, 3);
-  paste(sheet, metrics::encodeForDisplay(noisy.noisy()), 0);
-  paste(sheet, denoised.display, width);
-  paste(sheet, metrics::encodeForDisplay(metrics::meanOfHalves(reference.a, reference.b)), 2 * width);
-  io::writePng(path("comparison", noisy.number, "png"), sheet);
+  io::writePng(path("comparison", noisy.number, "png"),
+               comparisonSheet(noisy.noisy(), denoised.display, &reference));
+}
+
+io::Image comparisonSheet(const io::Image& noisy, const io::Image& display, const io::Reference* reference) {
+  const int width = display.width;
+  io::Image sheet((reference != nullptr ? 3 : 2) * width, display.height, 3);
+  paste(sheet, metrics::encodeForDisplay(noisy), 0);
+  paste(sheet, display, width);
+  if (reference != nullptr)
+    paste(sheet, metrics::encodeForDisplay(metrics::meanOfHalves(reference->a, reference->b)), 2 * width);
+  return sheet;
 }
 
 }  // namespace quell::cli

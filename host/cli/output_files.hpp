@@ -14,6 +14,10 @@ struct OutputFormats {
   bool exr = false;  ///< display_%04d.exr
 };
 
+/// Display-encoded pictures side by side, 3 channels: noisy | denoised | reference, the last only where there is one.
+/// `noisy` is linear, `display` the denoiser's display image.
+io::Image comparisonSheet(const io::Image& noisy, const io::Image& display, const io::Reference* reference);
+
 class OutputFiles {
  public:
   /// Creates the directory. Throws Error(FileError).

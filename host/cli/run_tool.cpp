@@ -23,6 +23,7 @@ int runTool(int argc, const char* const* argv) {
   addStressCommand(app);
   addRenderCommand(app);
   addTuneDeviceCommand(app);
+  addDemoCommand(app);
   try {
     app.parse(argc, argv);
     return 0;

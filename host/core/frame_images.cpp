@@ -61,6 +61,11 @@ SurfaceParams makeSurfaceParams(const Frame& frame) {
   return params;
 }
 
+bool isJittered(const Camera& camera) {
+  const std::array<double, 2> centred{0.0, 0.0};
+  return camera.jitterPx != centred || camera.jitterPxPrev != centred;
+}
+
 std::string motionOptions(const Frame& frame) {
   return layoutOptions("MOTION", frame.motion) + layoutOptions("OBJECTID", frame.objectId);
 }

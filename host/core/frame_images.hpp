@@ -58,6 +58,9 @@ std::uint64_t fBetaBytes(const Configuration& configuration);
 std::string surfaceOptions(const Frame& frame);
 SurfaceParams makeSurfaceParams(const Frame& frame);
 
+/// Whether this frame or the one before was sampled off the pixel centres.
+bool isJittered(const Camera& camera);
+
 /// Compile options for motion vectors and object ids.
 std::string motionOptions(const Frame& frame);
 MotionParams makeMotionParams(const Frame& frame);

@@ -66,6 +66,9 @@ ImageViewParams makeViewParams(const ImageView& view, Size size);
 /// Bytes of a caller's image that a stage touches; 0 for an absent one.
 std::uint64_t imageBytes(const ImageView& view, Size size);
 
+/// Compile option of a kernel that leaves out what the frame does not need; see kernels/common/surfaces.h.
+inline std::string skipOption(bool skip) { return skip ? " -D SKIP=1" : " -D SKIP=0"; }
+
 /// What a stage sees while one frame is enqueued.
 class FrameRun {
  public:

@@ -46,6 +46,9 @@ void requireValid(const AnalyticOptions& options) {
   requireInRange("frameCount", options.frameCount, 1, kMaxFrames);
   requireInRange("referenceSamples", options.referenceSamples, 0, kMaxReferenceSamples);
   requireInRange("threadCount", options.threadCount, 0, kMaxThreads);
+  if (!(options.skyShare >= 0.0 && options.skyShare <= 1.0))
+    throw Error(ErrorCode::InvalidArgument,
+                {"makeAnalyticSequence", "skyShare", "a value in [0, 1]", std::to_string(options.skyShare)});
   for (const double offset : options.worldOffset) {
     if (std::isfinite(offset)) continue;
     throw Error(ErrorCode::InvalidArgument,
@@ -90,6 +93,7 @@ class AnalyticSequence final : public FrameSequence {
   void requireFrame(const char* function, int frame) const;
   RoomCamera cameraAt(int frame) const;
   glm::dvec3 offset() const;
+  std::optional<Hit> hitThrough(const Ray& ray, int y) const;
   Image blankImage() const { return Image(m_options.width, m_options.height, 3); }
   Random randomFor(std::uint32_t stream, int frame, int x, int y, int sample) const;
   void renderPixel(const RoomCamera& camera, int x, int y, FrameData& data) const;
@@ -120,6 +124,11 @@ glm::dvec3 AnalyticSequence::offset() const {
   return {m_options.worldOffset[0], m_options.worldOffset[1], m_options.worldOffset[2]};
 }
 
+std::optional<Hit> AnalyticSequence::hitThrough(const Ray& ray, int y) const {
+  if (y < m_options.skyShare * m_options.height) return std::nullopt;
+  return nearestHit(ray);
+}
+
 Random AnalyticSequence::randomFor(std::uint32_t stream, int frame, int x, int y, int sample) const {
   const auto pixel = std::uint32_t(y) * std::uint32_t(m_options.width) + std::uint32_t(x);
   return {m_options.seed, stream, std::uint32_t(frame), pixel, std::uint32_t(sample)};
@@ -127,7 +136,7 @@ Random AnalyticSequence::randomFor(std::uint32_t stream, int frame, int x, int y
 
 void AnalyticSequence::renderPixel(const RoomCamera& camera, int x, int y, FrameData& data) const {
   const Ray ray = camera.rayThrough(x, y);
-  const auto hit = nearestHit(ray);
+  const auto hit = hitThrough(ray, y);
   if (!hit) {  // the other images are zero already
     store(data.emission, x, y, skyRadiance(ray.direction));
     store(data.radiance, x, y, skyRadiance(ray.direction));
@@ -164,7 +173,7 @@ FrameData AnalyticSequence::read(int frame) const {
 glm::dvec3 AnalyticSequence::referencePixel(const RoomCamera& camera, int frame, std::uint32_t stream, int x,
                                             int y) const {
   const Ray ray = camera.rayThrough(x, y);
-  const auto hit = nearestHit(ray);
+  const auto hit = hitThrough(ray, y);
   if (!hit) return skyRadiance(ray.direction);
   const glm::dvec3 normal = shadingNormalAt(*hit, ray.direction);
   glm::dvec3 sum(0.0);

@@ -16,7 +16,8 @@ struct AnalyticOptions {
   int height = 720;     ///< pixels, in [1, 16384]
   int frameCount = 16;  ///< in [1, 2^20]
   std::uint32_t seed = 1;
-  bool movingCamera = true;                          ///< false: it stays at the pose of frame 0
+  bool movingCamera = true;  ///< false: it stays at the pose of frame 0
+  double skyShare = 0.0;     ///< in [0, 1]; this share of the rows, from the top, shows sky whatever is there
   std::array<double, 3> worldOffset{0.0, 0.0, 0.0};  ///< m, finite; moves scene and camera together
   int referenceSamples = 0;                          ///< per pixel and half, in [0, 2^20]; 0: no reference
   int threadCount = 0;  ///< in [0, 1024]; 0: one per core. Never changes the pixels.

@@ -21,7 +21,7 @@ FrameFileName filesOf(const char* buffer) {
   return [buffer](int frame) { return fmt::format("{}_{:04}.exr", buffer, frame); };
 }
 
-/// Throws std::exception, translated by readCameras(), for anything but a 4x4 array of numbers.
+/// Throws std::exception, translated by readCameraFile(), for anything but a 4x4 array of numbers.
 Matrix4 toMatrix(const nlohmann::json& rows) {
   Matrix4 matrix{};
   if (rows.size() != kMatrixSide) throw std::invalid_argument("a matrix must have 4 rows");
@@ -33,7 +33,9 @@ Matrix4 toMatrix(const nlohmann::json& rows) {
   return matrix;
 }
 
-std::map<int, Camera> readCameras(const std::string& path) {
+}  // namespace
+
+std::map<int, Camera> readCameraFile(const std::string& path) {
   const std::string text = readFile(path);
   std::map<int, Camera> cameras;
   try {
@@ -50,14 +52,12 @@ std::map<int, Camera> readCameras(const std::string& path) {
   return cameras;
 }
 
-}  // namespace
-
 CyclesSequence::CyclesSequence(std::string directory, int signals)
     : m_directory(std::move(directory)),
       m_frames(findFrames(m_directory, filesOf("color"))),
       m_signals(signals) {
   const std::string cameraPath = joinPath(m_directory, kCyclesCameraFile);
-  m_cameras = readCameras(cameraPath);
+  m_cameras = readCameraFile(cameraPath);
   for (int frame : m_frames)
     if (m_cameras.count(frame) == 0)
       throwFileError(kStage, cameraPath, fmt::format("matrices of frame {}", frame), "none");
@@ -71,6 +71,8 @@ CyclesSequence::CyclesSequence(std::string directory, int signals)
   m_hasEmission = hasFrameFiles(m_directory, filesOf("emission"), m_frames);
   m_hasRoughness = hasFrameFiles(m_directory, filesOf("roughness"), m_frames);
   m_hasF0 = hasFrameFiles(m_directory, filesOf("f0"), m_frames);
+  m_hasMotion = hasFrameFiles(m_directory, filesOf("motion"), m_frames);
+  m_hasObjectId = hasFrameFiles(m_directory, filesOf("object_id"), m_frames);
 
   const ExrHeader first = readExrHeader(joinPath(m_directory, filesOf("color")(m_frames.front())));
   m_width = first.width;
@@ -79,6 +81,11 @@ CyclesSequence::CyclesSequence(std::string directory, int signals)
 
 Image CyclesSequence::readBuffer(const char* buffer, int frame) const {
   return readRgbOfSize(joinPath(m_directory, filesOf(buffer)(frame)), m_width, m_height);
+}
+
+Image CyclesSequence::readChannels(const char* buffer, const std::vector<std::string>& channels,
+                                   int frame) const {
+  return readChannelsOfSize(joinPath(m_directory, filesOf(buffer)(frame)), channels, m_width, m_height);
 }
 
 FrameData CyclesSequence::read(int frame) const {
@@ -101,8 +108,9 @@ FrameData CyclesSequence::read(int frame) const {
   if (m_hasGlossColor) data.glossColor = readBuffer("gloss_color", frame);
   if (m_hasEmission) data.emission = readBuffer("emission", frame);
   if (m_hasF0) data.f0 = readBuffer("f0", frame);
-  if (m_hasRoughness)
-    data.roughness = readGreyOfSize(joinPath(m_directory, filesOf("roughness")(frame)), m_width, m_height);
+  if (m_hasRoughness) data.roughness = readChannels("roughness", {"Y"}, frame);
+  if (m_hasMotion) data.motion = readChannels("motion", {"R", "G"}, frame);
+  if (m_hasObjectId) data.objectId = readChannels("object_id", {"Y"}, frame);
   return data;
 }
 

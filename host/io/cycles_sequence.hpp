@@ -2,7 +2,8 @@
 //
 // For each frame NNNN (at least four digits, numbers without gaps): color_NNNN.exr, shading_normal_NNNN.exr,
 // world_position_NNNN.exr; for all frames or none: albedo_NNNN.exr, gloss_color_NNNN.exr, emission_NNNN.exr,
-// roughness_NNNN.exr (one channel), f0_NNNN.exr; for two signals diffuse_irradiance_NNNN.exr and
+// roughness_NNNN.exr (one channel), f0_NNNN.exr, motion_NNNN.exr (two channels), object_id_NNNN.exr (one channel); for
+// two signals diffuse_irradiance_NNNN.exr and
 // glossy_radiance_NNNN.exr, light before albedo and gloss colour;
 // for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference. Other files are
 // ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
@@ -22,6 +23,9 @@ namespace quell::io {
 /// The file of a directory that marks this layout.
 constexpr char kCyclesCameraFile[] = "camera.json";
 
+/// The cameras of a camera.json by frame. Throws Error(FileError).
+std::map<int, Camera> readCameraFile(const std::string& path);
+
 class CyclesSequence final : public FrameSequence {
  public:
   /// Checks that all files are there; pixels are read later. The size is that of the first colour image.
@@ -40,6 +44,7 @@ class CyclesSequence final : public FrameSequence {
 
  private:
   Image readBuffer(const char* buffer, int frame) const;
+  Image readChannels(const char* buffer, const std::vector<std::string>& channels, int frame) const;
 
   std::string m_directory;
   std::vector<int> m_frames;
@@ -52,6 +57,8 @@ class CyclesSequence final : public FrameSequence {
   bool m_hasEmission = false;
   bool m_hasRoughness = false;
   bool m_hasF0 = false;
+  bool m_hasMotion = false;
+  bool m_hasObjectId = false;
 };
 
 }  // namespace quell::io

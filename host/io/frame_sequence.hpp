@@ -26,6 +26,8 @@ struct FrameData {
   Image emission;        ///< 3 channels, optional
   Image f0;              ///< 3 channels, Fresnel reflectance at normal incidence, optional
   Image roughness;       ///< 1 channel, 0 to 1, optional; alpha of GGX is its square
+  Image motion;          ///< 2 channels, pixels: previous pixel minus this one, x right, y down; optional
+  Image objectId;        ///< 1 channel, whole numbers up to 2^24, 0 is background; optional
   /// True where light is already divided by albedo and gloss colour (two signals, and the layout published with
   /// the BMFR paper).
   bool demodulated = false;
@@ -67,8 +69,8 @@ class FrameSequence {
   virtual std::optional<HistoryLimits> historyLimits() const { return std::nullopt; }
 };
 
-/// Opens a directory in either supported layout; which one is found by looking (see cycles_sequence.hpp and
-/// bmfr_sequence.hpp). `signals`: 1, or 2 for diffuse and glossy light apart. Throws Error(FileError) saying what
+/// Opens a directory in a supported layout, or one multilayer file; which one is found by looking (see
+/// cycles_sequence.hpp, bmfr_sequence.hpp and multilayer_sequence.hpp). `signals`: 1, or 2 for diffuse and glossy light apart. Throws Error(FileError) saying what
 /// was looked for, or which layout has no two signals.
 std::unique_ptr<FrameSequence> openSequence(const std::string& directory, int signals = 1);
 

@@ -116,9 +116,9 @@ Image toImage(const Decoder& decoder) {
 
 }  // namespace
 
-std::vector<unsigned char> encodePng(const std::string& path, const Image& rgbEncoded) {
+std::string encodePng(const Image& rgbEncoded) {
   if (rgbEncoded.empty() || rgbEncoded.channels != kChannels)
-    throw Error(ErrorCode::InvalidArgument, {"write PNG", path, "an image of 3 channels",
+    throw Error(ErrorCode::InvalidArgument, {"write PNG", "", "an image of 3 channels",
                                              fmt::format("{}x{} pixels of {} channels", rgbEncoded.width,
                                                          rgbEncoded.height, rgbEncoded.channels)});
   std::vector<png_byte> samples(rgbEncoded.pixels.size());
@@ -130,15 +130,15 @@ std::vector<unsigned char> encodePng(const std::string& path, const Image& rgbEn
   png.height = png_uint_32(rgbEncoded.height);
   png.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-  std::vector<png_byte> file(size);
+  std::string file(size, '\0');
   if (!png_image_write_to_memory(&png, file.data(), &size, 0, samples.data(), 0, nullptr))
-    throwFileError("write PNG", path, "to encode the picture", png.message);
+    throwFileError("write PNG", "", "to encode the picture", png.message);
   file.resize(size);
   return file;
 }
 
 void writePng(const std::string& path, const Image& rgbEncoded) {
-  const std::vector<unsigned char> file = encodePng(path, rgbEncoded);
+  const std::string file = encodePng(rgbEncoded);
   writeBinaryFile(path, file.data(), file.size());
 }
 

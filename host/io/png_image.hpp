@@ -3,19 +3,17 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "host/io/image.hpp"
 
 namespace quell::io {
 
-/// A PNG file of 3 channels of display-encoded values as 8-bit RGB: clamped to [0, 1], rounded to nearest, NaN as 0.
-/// Throws Error(InvalidArgument) unless the image has 3 channels and at least one pixel; `path` is for messages.
-std::vector<unsigned char> encodePng(const std::string& path, const Image& rgbEncoded);
+/// The bytes of a PNG file: 3 channels of display-encoded values as 8-bit RGB, clamped to [0, 1], rounded to
+/// nearest, NaN as 0. Throws Error(InvalidArgument) unless the image has 3 channels and at least one pixel.
+std::string encodePng(const Image& rgbEncoded);
 
-/// Writes 3 channels of display-encoded values as 8-bit RGB: clamped to [0, 1], rounded to nearest, NaN as 0.
-/// Atomic (see atomic_file.hpp). Throws Error(InvalidArgument) unless the image has 3 channels and at least
-/// one pixel, Error(FileError) if writing fails.
+/// Writes what encodePng() gives. Atomic (see atomic_file.hpp). Throws as encodePng(), and Error(FileError) if writing
+/// fails.
 void writePng(const std::string& path, const Image& rgbEncoded);
 
 /// Reads a PNG of any colour type and depth as 3 channels in [0, 1]: grey is repeated, palettes are looked

@@ -88,10 +88,9 @@ Image readRgbOfSize(const std::string& path, int width, int height) {
   return image;
 }
 
-Image readGreyOfSize(const std::string& path, int width, int height) {
-  Image image = readExr(path);
-  if (image.channels != 1)
-    throwFileError("read frame", path, "one channel, Y", fmt::format("{} channels", image.channels));
+Image readChannelsOfSize(const std::string& path, const std::vector<std::string>& channels, int width,
+                         int height) {
+  Image image = readExr(path, channels);
   requireSize(image, width, height, path);
   return image;
 }

@@ -37,7 +37,8 @@ void requireFrame(const std::string& directory, const std::vector<int>& frames, 
 /// Reads 3 channels from an OpenEXR file that must have the given size.
 /// Throws Error(FileError), or Error(InvalidArgument) naming the file, the size expected and the size found.
 Image readRgbOfSize(const std::string& path, int width, int height);
-/// The same for one channel, Y.
-Image readGreyOfSize(const std::string& path, int width, int height);
+/// The same for channels of these names.
+Image readChannelsOfSize(const std::string& path, const std::vector<std::string>& channels, int width,
+                         int height);
 
 }  // namespace quell::io

@@ -37,8 +37,8 @@ void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std:
 
 /// Adds the lines from filtered irradiance to the caller's images: remodulate, tone_map and, with `antialias`,
 /// temporal_antialiasing, and the buffers between them. Reads guides and, with `antialias`, pixelPrev and
-/// reprojectionMask.
+/// reprojectionMask. With `skip` background has a stage of its own, and surfaces is read.
 void addOutputStages(Schedule& schedule, const Configuration& configuration, const std::string& filtered,
-                     bool antialias);
+                     bool antialias, bool skip = false);
 
 }  // namespace quell

@@ -1,5 +1,7 @@
 #include "host/methods/quell.hpp"
 
+#include <algorithm>
+
 #include "host/core/frame_images.hpp"
 #include "host/methods/common_settings.hpp"
 #include "host/methods/method_table.hpp"
@@ -18,13 +20,22 @@ using Kind = SettingKind;
 constexpr char kSweep[] = "sweep, docs/quell-sweep.md";
 
 SettingList accumulationSettings() {
-  return {{"irradianceLeastWeight",
-           Kind::Real,
-           0.2,
-           0.001,
+  return {{"historyFrames",
+           Kind::Integer,
+           5.0,
            1.0,
-           "",
-           "least weight of the newest sample, where the light does not change",
+           255.0,
+           "frames",
+           "longest history of what moves on the screen",
+           kSweep,
+           {}},
+          {"stillHistoryFrames",
+           Kind::Integer,
+           16.0,
+           1.0,
+           255.0,
+           "frames",
+           "longest history of what does not move on the screen; at least historyFrames counts",
            kSweep,
            {}},
           {"momentsLeastWeight",
@@ -47,21 +58,31 @@ SettingList accumulationSettings() {
            {}}};
 }
 
+SettingList skipSettings() {
+  return {{"skip",
+           Kind::Boolean,
+           1.0,
+           0.0,
+           1.0,
+           "",
+           "leave out background, from accumulation to antialiasing",
+           "",
+           {}}};
+}
+
 SettingList changeSettings() {
   return {{"mostWeight",
            Kind::Real,
            1.0,
-           0.001,
+           0.0,
            1.0,
            "",
-           "largest weight of the newest sample, where the light changes; at most irradianceLeastWeight: "
-           "change is "
-           "not followed",
+           "largest weight of the newest sample, where the light changes; 0: change is not followed",
            kSweep,
            {}},
           {"changeThreshold",
            Kind::Real,
-           2.0,
+           1.5,
            0.0,
            100.0,
            "standard deviations",
@@ -70,7 +91,7 @@ SettingList changeSettings() {
            {}},
           {"changeGain",
            Kind::Real,
-           4.0,
+           3.0,
            0.01,
            1e6,
            "variances",
@@ -79,7 +100,7 @@ SettingList changeSettings() {
            {}},
           {"changeMemory",
            Kind::Real,
-           0.25,
+           0.5,
            0.0,
            0.99,
            "",
@@ -91,7 +112,7 @@ SettingList changeSettings() {
 SettingList filterSettings() {
   const SettingDescription luminanceSigma = {"luminanceSigma",
                                              Kind::Real,
-                                             6.0,
+                                             5.5,
                                              0.01,
                                              1e3,
                                              "standard deviations of the mean",
@@ -125,12 +146,24 @@ Level levelAfter(int iteration) {
   return iteration % 2 == 1 ? Level{"filteredOdd", "varianceOdd"} : Level{"filteredEven", "varianceEven"};
 }
 
-ChangeDetection changeDetection(const Settings& s) {
-  return {s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"), s.get("mostWeight"),
-          s.get("changeThreshold"),       s.get("changeGain"),         s.get("changeMemory")};
+int mostFrames(const Settings& s) { return static_cast<int>(s.get("historyFrames")); }
+int mostFramesStill(const Settings& s) {
+  return std::max(mostFrames(s), static_cast<int>(s.get("stillHistoryFrames")));
 }
 
-bool followsChange(const Settings& s) { return s.get("mostWeight") > s.get("irradianceLeastWeight"); }
+ChangeDetection changeDetection(const Settings& s) {
+  return {1.0 / mostFramesStill(s), s.get("momentsLeastWeight"), s.get("mostWeight"),
+          s.get("changeThreshold"), s.get("changeGain"),         s.get("changeMemory")};
+}
+
+bool followsChange(const Settings& s) { return s.get("mostWeight") > 0.0; }
+
+// Work-items of a per-pixel kernel.
+std::size_t surfaceCount(const Configuration& configuration) {
+  const int lanes = configuration.device.lanes;
+  const Size size = configuration.size();
+  return static_cast<std::size_t>((size.width + lanes - 1) / lanes) * static_cast<std::size_t>(size.height);
+}
 
 std::vector<BufferSpec> buffers(const Configuration& configuration) {
   const int signals = signalCount(configuration.frame);
@@ -150,11 +183,17 @@ std::vector<BufferSpec> buffers(const Configuration& configuration) {
       {"changeSums", f32, 0, tiles * QUELL_CHANGE_RECORD, true},
       elements("changeWeights", tiles),
       transient("variance", f32, signals),
+      {"surfaces", Element::UInt8, 0, surfaceCount(configuration), false},
       transient("filteredOdd", f32, 3 * signals),
       transient("varianceOdd", f32, signals),
       transient("filteredEven", f32, 3 * signals),
       transient("varianceEven", f32, signals),
   };
+}
+
+// What accumulate_noisy finds out for stages that leave out background.
+std::vector<std::string> surfaceNames(const Settings& s) {
+  return s.isOn("skip") ? std::vector<std::string>{"surfaces"} : std::vector<std::string>{};
 }
 
 void addAccumulation(Schedule& schedule, const Configuration& configuration) {
@@ -164,12 +203,18 @@ void addAccumulation(Schedule& schedule, const Configuration& configuration) {
   std::vector<std::string> writes = joinedNames(accumulated, {"pixelPrev", "reprojectionMask"});
   if (change) writes = joinedNames(writes, {"newestIrradiance", "innovation"});
   const std::vector<std::string> objectIds = addObjectIds(schedule, configuration);
-  writes = joinedNames(writes, objectIds);
+  writes = joinedNames(joinedNames(writes, objectIds), surfaceNames(s));
   writes =
       joinedNames(joinedNames(writes, filterGuideNames(configuration)), addFBeta(schedule, configuration));
-  addStage(schedule,
-           std::make_unique<AccumulateNoisy>(AccumulateNoisy::Setup{
-               s.get("irradianceLeastWeight"), s.get("momentsLeastWeight"), "irradiance.prev", true, change}),
+  AccumulateNoisy::Setup setup;
+  setup.leastWeight = 1.0 / mostFramesStill(s);
+  setup.momentsLeastWeight = s.get("momentsLeastWeight");
+  setup.filterGuides = true;
+  setup.mostFrames = mostFrames(s);
+  setup.mostFramesStill = mostFramesStill(s);
+  setup.skip = s.isOn("skip");
+  setup.innovation = change;
+  addStage(schedule, std::make_unique<AccumulateNoisy>(setup),
            joinedNames({"irradiance.prev", "historyLength.prev", "guides.prev", "moments.prev"},
                        previousNames(objectIds)),
            writes);
@@ -178,28 +223,41 @@ void addAccumulation(Schedule& schedule, const Configuration& configuration) {
   addStage(schedule, std::make_unique<ChangeSums>(detection),
            {"innovation", "historyLength", "changeSums.prev"}, {"changeSums"});
   addStage(schedule, std::make_unique<ChangeWeight>(detection), {"changeSums"}, {"changeWeights"});
-  addStage(schedule, std::make_unique<FollowChange>(detection),
-           joinedNames({"changeWeights", "newestIrradiance"}, accumulated), accumulated);
+  addStage(schedule, std::make_unique<FollowChange>(detection, s.isOn("skip")),
+           joinedNames(joinedNames({"changeWeights", "newestIrradiance"}, accumulated), surfaceNames(s)),
+           accumulated);
+}
+
+void addVariance(Schedule& schedule, const Settings& s) {
+  const bool skip = s.isOn("skip");
+  addStage(schedule,
+           std::make_unique<Variance>(
+               Variance::Setup{edgeStops(s), static_cast<int>(s.get("temporalVarianceFrames")), skip, true}),
+           joinedNames({"moments", "historyLength", "guides", "viewDepth"}, surfaceNames(s)), {"variance"});
 }
 
 void addFilter(Schedule& schedule, const Configuration& configuration) {
   const Settings& s = configuration.settings;
-  const EdgeStops stops = edgeStops(s);
-  const std::vector<std::string> filterGuides = filterGuideNames(configuration);
-  addStage(schedule,
-           std::make_unique<Variance>(Variance::Setup{
-               stops, static_cast<int>(s.get("temporalVarianceFrames")), s.get("irradianceLeastWeight")}),
-           {"moments", "historyLength", "guides", "viewDepth"}, {"variance"});
+  std::vector<std::string> guides = filterGuideNames(configuration);
+  Atrous::Setup setup;
+  setup.stops = edgeStops(s);
+  setup.luminanceSigma = s.get("luminanceSigma");
+  setup.sharpRoughness = s.get("sharpRoughness");
+  setup.skip = s.isOn("skip");
+  if (setup.skip) guides = joinedNames(guides, {"surfaces"});
   for (int i = 1; i <= static_cast<int>(s.get("iterations")); ++i) {
     const Level in = levelAfter(i - 1);
     const Level out = levelAfter(i);
+    setup.iteration = i;
+    setup.step = 1 << (i - 1);
     // All taps where they are near: it lowers the error of every scene, more than in any later iteration.
-    const int radius = i == 1 ? 2 : 1;
-    addStage(schedule,
-             std::make_unique<Atrous>(Atrous::Setup{stops, s.get("luminanceSigma"), 1 << (i - 1),
-                                                    in.irradiance, out.irradiance, in.variance, out.variance,
-                                                    radius, s.get("sharpRoughness")}),
-             joinedNames({in.irradiance, in.variance}, filterGuides), {out.irradiance, out.variance});
+    setup.radius = i == 1 ? 2 : 1;
+    setup.input = in.irradiance;
+    setup.output = out.irradiance;
+    setup.variance = in.variance;
+    setup.varianceOut = out.variance;
+    addStage(schedule, std::make_unique<Atrous>(setup), joinedNames({in.irradiance, in.variance}, guides),
+             {out.irradiance, out.variance});
   }
 }
 
@@ -208,9 +266,10 @@ Schedule makeSchedule(const Configuration& configuration) {
   Schedule schedule;
   schedule.buffers = buffers(configuration);
   addAccumulation(schedule, configuration);
+  addVariance(schedule, s);
   addFilter(schedule, configuration);
   addOutputStages(schedule, configuration, levelAfter(static_cast<int>(s.get("iterations"))).irradiance,
-                  s.isOn("taa"));
+                  s.isOn("taa"), s.isOn("skip"));
   return schedule;
 }
 
@@ -218,8 +277,8 @@ Schedule makeSchedule(const Configuration& configuration) {
 
 Method quellMethod() {
   return {"quell", "history that follows changes of light, then a filter guided by its variance",
-          joined({accumulationSettings(), changeSettings(), filterSettings(), demodulationSettings(),
-                  discardSettings(), antialiasingSettings()}),
+          joined({accumulationSettings(), changeSettings(), filterSettings(), skipSettings(),
+                  demodulationSettings(), discardSettings(), antialiasingSettings()}),
           makeSchedule, discardLimits};
 }
 

@@ -125,10 +125,10 @@ Schedule makeSchedule(const Configuration& configuration) {
                                   objectIds),
                       filterGuides),
           addFBeta(schedule, configuration)));
-  addStage(
-      schedule,
-      std::make_unique<Variance>(Variance::Setup{stops, static_cast<int>(s.get("temporalVarianceFrames"))}),
-      {"moments", "historyLength", "guides", "viewDepth"}, {"variance"});
+  addStage(schedule,
+           std::make_unique<Variance>(
+               Variance::Setup{stops, static_cast<int>(s.get("temporalVarianceFrames")), false, false}),
+           {"moments", "historyLength", "guides", "viewDepth"}, {"variance"});
   for (int i = 1; i <= iterations; ++i) {
     const Level in = levelAfter(i - 1, fedBack);
     const Level out = levelAfter(i, fedBack);

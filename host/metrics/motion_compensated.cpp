@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <quell/error.hpp>
+#include <string>
 #include <utility>
 
 #include "host/metrics/display_encoding.hpp"
@@ -39,9 +41,28 @@ double lumaAt(const io::Image& image, int x, int y) {
   return luma(c[0], c[1], c[2]);
 }
 
+// A pixel of the newest frame, and where its surface was before.
+struct Point {
+  Vector position, normal;
+  Place place;
+  bool moved = false;  // other than by the camera
+  float objectId = 0.0f;
+};
+
+bool sameSurface(const TrackedFrame& before, const Point& point, int x, int y) {
+  if (!(dot(at(before.normalWorld, x, y), point.normal) >= kSameSurfaceCosine)) return false;
+  if (point.moved) return before.objectId.at(x, y, 0) == point.objectId;
+  const Vector position = at(before.positionWorld, x, y);
+  const Vector step = {position[0] - point.position[0], position[1] - point.position[1],
+                       position[2] - point.position[2]};
+  const double limit = kSameSurfaceShare * point.place.clipW;
+  return dot(step, step) <= limit * limit;
+}
+
 // Bilinear luma of the frame before, if all of its taps show the surface.
-std::optional<double> lumaBefore(const TrackedFrame& before, const Place& place, const Vector& position,
-                                 const Vector& normal) {
+std::optional<double> lumaBefore(const TrackedFrame& before, const Point& point) {
+  const Place& place = point.place;
+  if (!(std::abs(place.x) < 1e6 && std::abs(place.y) < 1e6)) return std::nullopt;
   const double left = std::floor(place.x), top = std::floor(place.y);
   double sum = 0.0;
   for (int tap = 0; tap < 4; ++tap) {
@@ -50,15 +71,38 @@ std::optional<double> lumaBefore(const TrackedFrame& before, const Place& place,
                           (tap / 2 == 1 ? place.y - top : 1.0 - (place.y - top));
     if (weight == 0.0) continue;
     if (x < 0 || y < 0 || x >= before.encoded.width || y >= before.encoded.height) return std::nullopt;
-    const Vector tapPosition = at(before.positionWorld, x, y);
-    const Vector step = {tapPosition[0] - position[0], tapPosition[1] - position[1],
-                         tapPosition[2] - position[2]};
-    const double limit = kSameSurfaceShare * place.clipW;
-    if (!(dot(step, step) <= limit * limit)) return std::nullopt;
-    if (!(dot(at(before.normalWorld, x, y), normal) >= kSameSurfaceCosine)) return std::nullopt;
+    if (!sameSurface(before, point, x, y)) return std::nullopt;
     sum += weight * lumaAt(before.encoded, x, y);
   }
   return sum;
+}
+
+// Nothing for background and for what was behind the camera.
+std::optional<Point> pointAt(const TrackedFrame& frame, int x, int y) {
+  Point point{at(frame.positionWorld, x, y), at(frame.normalWorld, x, y), {}};
+  if (!(dot(point.normal, point.normal) > 0.0)) return std::nullopt;
+  const auto place =
+      reproject(frame.camera.worldToClipPrev, point.position, frame.encoded.width, frame.encoded.height);
+  if (!place) return std::nullopt;
+  point.place = *place;
+  if (frame.motion.empty() || frame.objectId.empty()) return point;
+  const double movedX = x + double(frame.motion.at(x, y, 0)), movedY = y + double(frame.motion.at(x, y, 1));
+  point.moved = !(std::hypot(movedX - place->x, movedY - place->y) <= kMovedPx);
+  if (!point.moved) return point;
+  point.place = {movedX, movedY, place->clipW};
+  point.objectId = frame.objectId.at(x, y, 0);
+  return point;
+}
+
+void requireChannels(const io::Image& image, int channels, const TrackedFrame& frame, const char* name) {
+  if (image.empty()) return;
+  if (image.channels != channels || image.width != frame.encoded.width ||
+      image.height != frame.encoded.height)
+    throw Error(ErrorCode::InvalidArgument,
+                {"motion-compensated temporal error", name,
+                 std::to_string(channels) + " channels and the size of the picture",
+                 std::to_string(image.width) + "x" + std::to_string(image.height) + ", " +
+                     std::to_string(image.channels) + " channels"});
 }
 
 }  // namespace
@@ -66,16 +110,16 @@ std::optional<double> lumaBefore(const TrackedFrame& before, const Place& place,
 void MotionCompensatedErrorMeter::add(TrackedFrame frame) {
   for (const io::Image* image : {&frame.normalWorld, &frame.positionWorld})
     requireComparable(*image, frame.encoded, "motion-compensated temporal error");
+  requireChannels(frame.motion, 2, frame, "motion");
+  requireChannels(frame.objectId, 1, frame, "objectId");
   if (!m_last.encoded.empty()) {
     requireComparable(frame.encoded, m_last.encoded, "motion-compensated temporal error");
+    if (m_last.objectId.empty()) frame.objectId = io::Image();
     for (int y = 0; y < frame.encoded.height; ++y) {
       for (int x = 0; x < frame.encoded.width; ++x) {
-        const Vector normal = at(frame.normalWorld, x, y), position = at(frame.positionWorld, x, y);
-        if (!(dot(normal, normal) > 0.0)) continue;
-        const auto place =
-            reproject(frame.camera.worldToClipPrev, position, frame.encoded.width, frame.encoded.height);
-        if (!place || !(std::abs(place->x) < 1e6 && std::abs(place->y) < 1e6)) continue;
-        if (const auto before = lumaBefore(m_last, *place, position, normal)) {
+        const auto point = pointAt(frame, x, y);
+        if (!point) continue;
+        if (const auto before = lumaBefore(m_last, *point)) {
           m_sum += std::abs(lumaAt(frame.encoded, x, y) - *before);
           m_count += 1.0;
         }

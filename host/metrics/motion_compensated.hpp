@@ -8,12 +8,14 @@
 
 namespace quell::metrics {
 
-/// One frame as the measure needs it; all images have one size and 3 channels.
+/// One frame as the measure needs it; all images have one size, and 3 channels unless said otherwise.
 struct TrackedFrame {
   io::Image encoded;        ///< the denoised picture, display-encoded
   io::Image normalWorld;    ///< unit length, zero marks background
   io::Image positionWorld;  ///< scene units
   Camera camera;            ///< matrices of this frame and of the one before
+  io::Image motion;         ///< 2 channels, pixels: previous pixel minus this one, x right, y down; optional
+  io::Image objectId;       ///< 1 channel; optional
 };
 
 /// Largest distance between a surface point and the one found for it in the frame before, as a share of clip.w
@@ -21,13 +23,17 @@ struct TrackedFrame {
 constexpr double kSameSurfaceShare = 0.01;
 /// Least cosine between their normals.
 constexpr double kSameSurfaceCosine = 0.9;
+/// A surface has moved where its motion vector leads farther than this from where the matrices do, pixels.
+constexpr double kMovedPx = 0.25;
 
 /// Motion-compensated temporal error: the mean of |luma(pixel) - luma(same surface point, frame before)|, Rec. 709,
 /// display-encoded, over the pixels whose surface all four bilinear taps of the frame before show. For a static
-/// view this is the plain temporal error without background; moving objects count as not visible before.
+/// view this is the plain temporal error without background. Moving objects count where there are motion vectors and
+/// object ids: their surface is the same if the object is and the normals are near. Otherwise they count as not
+/// visible before.
 class MotionCompensatedErrorMeter {
  public:
-  /// Throws Error(InvalidArgument) for images without 3 channels or of different sizes.
+  /// Throws Error(InvalidArgument) for images without their channels or of different sizes.
   void add(TrackedFrame frame);
 
   /// The mean over all pairs of frames; nothing before the second one, or where no surface was seen twice.

@@ -1,13 +1,13 @@
-// The path tracer: one frame of a scene at a time, on any OpenCL device.
+// The path tracer with images in host memory: one frame of a scene at a time, on any OpenCL device.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <quell/frame.hpp>
 #include <string>
 
 #include "host/io/image.hpp"
+#include "host/render/device_tracer.hpp"
 #include "host/render/scene.hpp"
 
 namespace quell::render {
@@ -34,17 +34,14 @@ struct Light {
   io::Image hitDistance;
 };
 
-/// Which of the two estimates of direct light counts; one alone is for tests.
-enum class Estimator {
-  Both = QUELL_ESTIMATOR_BOTH,
-  LightOnly = QUELL_ESTIMATOR_LIGHT_ONLY,
-  BsdfOnly = QUELL_ESTIMATOR_BSDF_ONLY,
-};
-
 /// albedo * diffuse + glossColor * glossy + emission.
 io::Image composeColor(const Features& features, const Light& light);
 
-/// A seed of its own for every frame and stream (0: the noisy frame; 1 and 2: halves of the reference).
+/// Streams of random numbers: noisy frames and both halves ('a' and 'b') of a reference are independent.
+constexpr int kNoisyStream = 0;
+constexpr int referenceStream(char half) { return half == 'a' ? 1 : 2; }
+
+/// A seed of its own for every frame and stream.
 std::uint32_t mixSeed(std::uint32_t seed, int frame, int stream);
 
 /// Equal arguments give equal pixels on one device and driver. Errors of OpenCL come as quell::Error.
@@ -63,7 +60,7 @@ class PathTracer {
   /// The light of the scene last given to features(); samples >= 1 per pixel. `progress` is called with the
   /// number of samples just done.
   Light light(std::uint32_t seed, int samples, Estimator estimator = Estimator::Both,
-              const std::function<void(int)>& progress = {});
+              const SampleProgress& progress = {});
 
   const std::string& deviceName() const;
 

@@ -9,11 +9,6 @@ namespace {
 
 constexpr int kMaxFrames = 10000;  // four digits in file names
 constexpr int kMaxSamples = 1 << 20;
-// Streams of random numbers: noisy frames and both halves are independent.
-constexpr int kNoisyStream = 0;
-
-int referenceStream(char half) { return half == 'a' ? 1 : 2; }
-
 void requireInRange(const char* option, int value, int low, int high) {
   if (value >= low && value <= high) return;
   throw Error(ErrorCode::InvalidArgument,

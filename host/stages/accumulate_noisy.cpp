@@ -7,11 +7,11 @@ namespace quell {
 void AccumulateNoisy::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
   m_kernel =
-      builder.build("accumulate_noisy", materialOptions(configuration) + surfaceOptions(configuration.frame) +
-                                            motionOptions(configuration.frame) +
-                                            " -D MOMENTS=" + (hasMoments() ? "1" : "0") +
-                                            " -D FILTER_GUIDES=" + (m_setup.filterGuides ? "1" : "0") +
-                                            " -D INNOVATION=" + (m_setup.innovation ? "1" : "0"));
+      builder.build("accumulate_noisy",
+                    materialOptions(configuration) + surfaceOptions(configuration.frame) +
+                        motionOptions(configuration.frame) + " -D MOMENTS=" + (hasMoments() ? "1" : "0") +
+                        " -D FILTER_GUIDES=" + (m_setup.filterGuides ? "1" : "0") +
+                        " -D INNOVATION=" + (m_setup.innovation ? "1" : "0") + skipOption(m_setup.skip));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
@@ -28,6 +28,9 @@ void AccumulateNoisy::enqueue(FrameRun& run) {
   params.surface = makeSurfaceParams(frame);
   params.motion = makeMotionParams(frame);
   params.leastWeight = static_cast<float>(m_setup.leastWeight);
+  params.mostFrames = m_setup.mostFrames;
+  params.mostFramesStill = m_setup.mostFramesStill;
+  params.jitters = isJittered(frame.camera) ? 1 : 0;
   params.momentsLeastWeight = static_cast<float>(m_setup.momentsLeastWeight);
   const bool objectIds = frame.objectId.present();
   run.launch(m_kernel, run.pixelRange(), m_workGroup, frame.radiance, frame.glossyRadiance, frame.emission,
@@ -40,7 +43,7 @@ void AccumulateNoisy::enqueue(FrameRun& run) {
              run.buffer("reprojectionMask"), bufferIf(m_setup.filterGuides, "viewDepth"),
              bufferIf(roughness, "roughness"), bufferIf(dividesByFBeta(run.configuration), "fBeta"),
              bufferIf(m_setup.innovation, "newestIrradiance"), bufferIf(m_setup.innovation, "innovation"),
-             params);
+             bufferIf(m_setup.skip, "surfaces"), params);
 }
 
 std::uint64_t AccumulateNoisy::callerBytes(const Configuration& configuration) const {

@@ -14,6 +14,9 @@ class AccumulateNoisy : public Stage {
     double momentsLeastWeight = 0.0;                 ///< the same for the moments; 0: no moments
     std::string irradiancePrev = "irradiance.prev";  ///< the buffer that the history comes from
     bool filterGuides = false;                       ///< view depth and roughness for edge stops
+    int mostFrames = QUELL_MAX_HISTORY_LENGTH;       ///< longest history, frames, 1 to 255
+    int mostFramesStill = QUELL_MAX_HISTORY_LENGTH;  ///< the same of pixels that do not move on the screen
+    bool skip = false;                               ///< leaves out background; see kernels/common/surfaces.h
     bool innovation = false;                         ///< newest sample and its difference to the history
   };
   explicit AccumulateNoisy(Setup setup) : m_setup(std::move(setup)) {}

@@ -9,7 +9,8 @@ void Atrous::build(const KernelBuilder& builder) {
   m_kernel = builder.build("atrous", "-D QUELL_SIGNALS=" + std::to_string(signalCount(frame)) +
                                          " -D VARIANCE=" + (m_setup.variance.empty() ? "0" : "1") +
                                          " -D ROUGHNESS_FORMAT=" + (readsRoughness(frame) ? "1" : "0") +
-                                         " -D TAP_RADIUS=" + std::to_string(m_setup.radius));
+                                         " -D TAP_RADIUS=" + std::to_string(m_setup.radius) +
+                                         skipOption(m_setup.skip));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
@@ -24,6 +25,7 @@ void Atrous::enqueue(FrameRun& run) {
   params.luminanceSigma = static_cast<float>(m_setup.luminanceSigma);
   params.inverseStep = 1.0f / static_cast<float>(m_setup.step);
   params.step = m_setup.step;
+  params.iteration = m_setup.iteration;
   if (m_setup.sharpRoughness > 0.0) {
     params.sharpening = 1.0f;
     params.inverseSharpRoughness = static_cast<float>(1.0 / m_setup.sharpRoughness);
@@ -31,7 +33,7 @@ void Atrous::enqueue(FrameRun& run) {
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer(m_setup.input),
              bufferIf(variance, m_setup.variance), run.buffer("guides"), run.buffer("viewDepth"),
              bufferIf(readsRoughness(run.configuration.frame), "roughness"), run.buffer(m_setup.output),
-             bufferIf(variance, m_setup.varianceOut), params);
+             bufferIf(variance, m_setup.varianceOut), bufferIf(m_setup.skip, "surfaces"), params);
 }
 
 }  // namespace quell

@@ -21,6 +21,8 @@ class Atrous : public Stage {
     int radius = 2;           ///< 2: 5x5 taps, 1: 3x3
     /// Roughness below which the stop on luminance narrows, to half its width at 0; 0: nowhere.
     double sharpRoughness = 0.0;
+    int iteration = 1;  ///< from 1 on
+    bool skip = false;  ///< leaves out background; see kernels/common/surfaces.h
   };
   explicit Atrous(Setup setup) : m_setup(std::move(setup)) {}
   std::string name() const override { return "atrous"; }

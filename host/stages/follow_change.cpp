@@ -6,7 +6,8 @@ namespace quell {
 
 void FollowChange::build(const KernelBuilder& builder) {
   const int signals = signalCount(builder.configuration().frame);
-  m_kernel = builder.build("follow_change", "-D QUELL_SIGNALS=" + std::to_string(signals));
+  m_kernel =
+      builder.build("follow_change", "-D QUELL_SIGNALS=" + std::to_string(signals) + skipOption(m_skip));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
@@ -14,7 +15,7 @@ void FollowChange::enqueue(FrameRun& run) {
   ChangeParams params = makeChangeParams(m_detection, run.configuration.size());
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("changeWeights"),
              run.buffer("newestIrradiance"), run.buffer("irradiance"), run.buffer("moments"),
-             run.buffer("historyLength"), params);
+             run.buffer("historyLength"), m_skip ? run.buffer("surfaces") : cl::Buffer(), params);
 }
 
 }  // namespace quell

@@ -9,7 +9,8 @@ namespace quell {
 /// See kernels/follow_change.cl for what it computes, from what and after which paper.
 class FollowChange : public Stage {
  public:
-  explicit FollowChange(const ChangeDetection& detection) : m_detection(detection) {}
+  /// `skip`: leaves out background; see kernels/common/surfaces.h.
+  FollowChange(const ChangeDetection& detection, bool skip) : m_detection(detection), m_skip(skip) {}
   std::string name() const override { return "follow_change"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
@@ -17,6 +18,7 @@ class FollowChange : public Stage {
 
  private:
   ChangeDetection m_detection;
+  bool m_skip;
   cl::Kernel m_kernel;
   cl::NDRange m_workGroup;
 };

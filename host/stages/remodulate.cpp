@@ -6,9 +6,9 @@ namespace quell {
 
 void Remodulate::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
-  m_kernel = builder.build("remodulate", materialOptions(configuration) +
-                                             layoutOptions("OUTPUT", configuration.output.linear) +
-                                             " -D WRITE_PLANES=" + (m_writePlanes ? "1" : "0"));
+  m_kernel = builder.build(
+      "remodulate", materialOptions(configuration) + layoutOptions("OUTPUT", configuration.output.linear) +
+                        " -D WRITE_PLANES=" + (m_writePlanes ? "1" : "0") + skipOption(m_skip));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
@@ -21,7 +21,8 @@ void Remodulate::enqueue(FrameRun& run) {
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer(m_filtered), run.buffer("guides"),
              dividesByFBeta(run.configuration) ? run.buffer("fBeta") : cl::Buffer(), frame.radiance,
              frame.glossyRadiance, frame.emission, frame.albedo, frame.glossColor,
-             m_writePlanes ? run.buffer("linear") : cl::Buffer(), run.output.linear, params);
+             m_writePlanes ? run.buffer("linear") : cl::Buffer(), run.output.linear,
+             m_skip ? run.buffer("surfaces") : cl::Buffer(), params);
 }
 
 std::uint64_t Remodulate::callerBytes(const Configuration& configuration) const {

@@ -10,9 +10,9 @@ namespace quell {
 class Remodulate : public Stage {
  public:
   /// `filtered`: the buffer with the filtered irradiance; `writePlanes`: whether a later stage reads the
-  /// linear radiance.
-  Remodulate(std::string filtered, bool writePlanes)
-      : m_filtered(std::move(filtered)), m_writePlanes(writePlanes) {}
+  /// linear radiance; `skip`: leaves background to the stage background.
+  Remodulate(std::string filtered, bool writePlanes, bool skip)
+      : m_filtered(std::move(filtered)), m_writePlanes(writePlanes), m_skip(skip) {}
   std::string name() const override { return "remodulate"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
@@ -21,6 +21,7 @@ class Remodulate : public Stage {
  private:
   std::string m_filtered;
   bool m_writePlanes;
+  bool m_skip;
   cl::Kernel m_kernel;
   cl::NDRange m_workGroup;
 };

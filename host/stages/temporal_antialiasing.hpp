@@ -9,8 +9,9 @@ namespace quell {
 /// See kernels/temporal_antialiasing.cl for what it computes, from what and after which paper.
 class TemporalAntialiasing : public Stage {
  public:
-  /// `newestWeight`: weight of the newest frame, (0, 1].
-  explicit TemporalAntialiasing(double newestWeight) : m_newestWeight(newestWeight) {}
+  /// `newestWeight`: weight of the newest frame, (0, 1]; `skip`: leaves background to the stage background, unless rays
+  /// are jittered.
+  TemporalAntialiasing(double newestWeight, bool skip) : m_newestWeight(newestWeight), m_skip(skip) {}
   std::string name() const override { return "temporal_antialiasing"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
@@ -18,6 +19,7 @@ class TemporalAntialiasing : public Stage {
 
  private:
   double m_newestWeight;
+  bool m_skip;
   cl::Kernel m_kernel;
   cl::NDRange m_workGroup;
 };

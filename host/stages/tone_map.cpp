@@ -4,8 +4,8 @@ namespace quell {
 
 void ToneMap::build(const KernelBuilder& builder) {
   const ImageView output = m_isLast ? builder.configuration().output.display : ImageView();
-  m_kernel = builder.build("tone_map",
-                           layoutOptions("OUTPUT", output) + " -D WRITE_PLANES=" + (m_isLast ? "0" : "1"));
+  m_kernel = builder.build("tone_map", layoutOptions("OUTPUT", output) +
+                                           " -D WRITE_PLANES=" + (m_isLast ? "0" : "1") + skipOption(m_skip));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
@@ -15,7 +15,8 @@ void ToneMap::enqueue(FrameRun& run) {
   params.planes = makePlanes(run.configuration.size());
   params.output = makeViewParams(output, run.configuration.size());
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("linear"),
-             m_isLast ? cl::Buffer() : run.buffer("encoded"), output, params);
+             m_isLast ? cl::Buffer() : run.buffer("encoded"), output,
+             m_skip ? run.buffer("surfaces") : cl::Buffer(), params);
 }
 
 std::uint64_t ToneMap::callerBytes(const Configuration& configuration) const {

@@ -8,7 +8,7 @@ void Variance::build(const KernelBuilder& builder) {
   const int signals = signalCount(builder.configuration().frame);
   m_kernel =
       builder.build("variance", "-D QUELL_SIGNALS=" + std::to_string(signals) + " -D ROUGHNESS_FORMAT=0" +
-                                    " -D OF_MEAN=" + (m_setup.leastWeight > 0.0 ? "1" : "0"));
+                                    " -D OF_MEAN=" + (m_setup.ofMean ? "1" : "0") + skipOption(m_setup.skip));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
 
@@ -17,10 +17,9 @@ void Variance::enqueue(FrameRun& run) {
   params.planes = makePlanes(run.configuration.size());
   params.stops = makeEdgeStopParams(m_setup.stops);
   params.temporalFrames = m_setup.temporalFrames;
-  // Samples that an exponential mean is worth: (2 - weight) / weight.
-  if (m_setup.leastWeight > 0.0) params.mostSamples = static_cast<float>(2.0 / m_setup.leastWeight - 1.0);
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("moments"), run.buffer("historyLength"),
-             run.buffer("guides"), run.buffer("viewDepth"), run.buffer("variance"), params);
+             run.buffer("guides"), run.buffer("viewDepth"), run.buffer("variance"),
+             m_setup.skip ? run.buffer("surfaces") : cl::Buffer(), params);
 }
 
 }  // namespace quell

@@ -13,8 +13,8 @@ class Variance : public Stage {
   struct Setup {
     EdgeStops stops;
     int temporalFrames = 4;  ///< history length from which on the variance over time is trusted, 1 to 255
-    double leastWeight =
-        0.0;  ///< that of the newest sample: variance of the mean; 0: variance of the samples
+    bool skip = false;       ///< leaves out background; see kernels/common/surfaces.h
+    bool ofMean = false;     ///< variance of the mean over the history, else of its samples
   };
   explicit Variance(const Setup& setup) : m_setup(setup) {}
   std::string name() const override { return "variance"; }

@@ -34,7 +34,7 @@ struct SettingDescription {
 class Settings {
  public:
   /// Throws Error(UnknownSetting) for an unknown method; methodNames() lists them.
-  explicit Settings(const std::string& method = "bmfr");
+  explicit Settings(const std::string& method = "quell");
 
   const std::string& method() const { return m_method; }
 

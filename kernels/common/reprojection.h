@@ -150,13 +150,16 @@ QUELL_INLINE Surface makeSurface(ReprojectionParams params, float3L positionWorl
   return surface;
 }
 
+QUELL_INLINE intL isSurfaceNormal(floatL lengthSquared) {
+  return lengthSquared >= QUELL_MIN_NORMAL_SQUARED && lengthSquared <= QUELL_MAX_NORMAL_SQUARED;
+}
+
 // Marks what can be filtered, makes its normal unit length, and replaces everything else by zeros, which no later stage can stumble over.
 QUELL_INLINE Surface checkSurface(Surface surface) {
   const floatL lengthSquared = dot3(surface.normal, surface.normal);
   surface.valid = isFinite3(surface.position) && absLanes(surface.position.x) < QUELL_MAX_POSITION &&
                   absLanes(surface.position.y) < QUELL_MAX_POSITION &&
-                  absLanes(surface.position.z) < QUELL_MAX_POSITION &&
-                  lengthSquared >= QUELL_MIN_NORMAL_SQUARED && lengthSquared <= QUELL_MAX_NORMAL_SQUARED;
+                  absLanes(surface.position.z) < QUELL_MAX_POSITION && isSurfaceNormal(lengthSquared);
   surface.position = select3(surface.valid, surface.position, splat3(0.0f));
   const floatL inverseLength = 1.0f / SQRT(surface.valid ? lengthSquared : ONE_LANES);
   surface.normal = select3(surface.valid, scale3(surface.normal, inverseLength), splat3(0.0f));

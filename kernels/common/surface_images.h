@@ -7,6 +7,12 @@
 
 #define SURFACE_ARGUMENTS __global const uchar *normalData, __global const uchar *positionData
 
+// Pixels whose normal is that of a surface, whatever their position.
+QUELL_INLINE intL hasNormal(__global const uchar* normalData, SurfaceParams params, int x, int y, int lanes) {
+  const float3L normal = LOAD_PIXELS(NORMAL, normalData, params.normal, x, y, lanes);
+  return isSurfaceNormal(dot3(normal, normal)) && LANE_INDEX < lanes;
+}
+
 // Lanes from `lanes` on are not valid.
 QUELL_INLINE Surface loadSurface(__global const uchar* normalData, __global const uchar* positionData,
                                  SurfaceParams params, ReprojectionParams reprojection, int x, int y,

@@ -10,11 +10,22 @@
 namespace quell::tests {
 namespace {
 
+// Of quell; not its defaults.
+constexpr int kMostFrames = 7;
+constexpr int kMostFramesStill = 12;
+
 StageSetup makeAccumulateNoisySetup(const CaseOptions& options, const AccumulateNoisyVariant& variant) {
   StageSetup setup = makeSetup(options);
   if (variant.filterGuides) {
-    setup.settings = Settings("svgf");
+    setup.settings = Settings(variant.innovation ? "quell" : "svgf");
     setup.settings.set("momentsLeastWeight", 0.15);  // told apart from the weight of the irradiance
+    if (variant.innovation) {
+      setup.settings.set("skip", "off");
+      setup.settings.set("historyFrames", kMostFrames);
+      setup.settings.set("stillHistoryFrames", kMostFramesStill);
+    } else {
+      setup.settings.set("irradianceLeastWeight", 0.1);
+    }
   }
   setFrameViews(setup, variant.images(), options.layout);
   ImageLayout layout = options.layout;
@@ -105,6 +116,22 @@ void comparePixelPrev(Comparison& comparison, const Planes& device, const ExactP
   });
 }
 
+// A difference: relative to the larger of what it is taken of.
+void compareInnovation(Comparison& comparison, const AccumulateNoisyOutputs<float>& device,
+                       const AccumulateNoisyExact& exact) {
+  for (int signal = 0; signal < device.innovation.count; ++signal) {
+    forEachPixel(device.innovation.size(), [&](int x, int y) {
+      if (exact.undecided.at(0, x, y)) return;
+      double scale = 1.0;
+      for (int plane = 3 * signal; plane < 3 * signal + 3; ++plane)
+        scale = std::max({scale, exact.outputs.newestIrradiance.at(plane, x, y),
+                          exact.outputs.irradiance.at(plane, x, y)});
+      comparison.include("innovation", signal, x, y, device.innovation.at(signal, x, y),
+                         exact.outputs.innovation.at(signal, x, y), scale);
+    });
+  }
+}
+
 }  // namespace
 
 AccumulateNoisyCase::AccumulateNoisyCase(const CaseOptions& options, const AccumulateNoisyVariant& variant)
@@ -112,8 +139,14 @@ AccumulateNoisyCase::AccumulateNoisyCase(const CaseOptions& options, const Accum
   static_cast<FrameImages&>(inputs) = randomFrame(variant.images(), options.size, options.seed);
   inputs.guidesPrev = renderScene(movedCamera(), options.size, inputs.material.signals()).guides;
   const Settings& settings = m_harness.configuration().settings;
-  inputs.leastWeight =
-      float(settings.get(variant.filterGuides ? "irradianceLeastWeight" : "noisyLeastWeight"));
+  if (variant.innovation) {
+    inputs.mostFrames = kMostFrames;
+    inputs.mostFramesStill = kMostFramesStill;
+    inputs.leastWeight = 1.0 / kMostFramesStill;
+  } else {
+    inputs.leastWeight =
+        float(settings.get(variant.filterGuides ? "irradianceLeastWeight" : "noisyLeastWeight"));
+  }
   inputs.momentsLeastWeight = variant.filterGuides ? float(settings.get("momentsLeastWeight")) : 0.0;
   randomHistory(inputs, options.size, options.seed + 20);
   if (variant.motion) inputs.motion = randomMotionVectors(options.size, options.seed + 40);
@@ -151,7 +184,9 @@ AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
           downloadIf(m_variant.filterGuides, "moments"),
           downloadIf(m_variant.filterGuides, "viewDepth"),
           downloadIf(m_variant.filterGuides && m_variant.roughness, "roughness"),
-          downloadIf(m_variant.objectId, "objectIds")};
+          downloadIf(m_variant.objectId, "objectIds"),
+          downloadIf(m_variant.innovation, "newestIrradiance"),
+          downloadIf(m_variant.innovation, "innovation")};
 }
 
 Comparison AccumulateNoisyCase::compare() {
@@ -173,6 +208,8 @@ Comparison AccumulateNoisyCase::compare() {
   compareIfPresent("viewDepth", device.viewDepth, exact.outputs.viewDepth);
   compareIfPresent("roughness", device.roughness, exact.outputs.roughness);
   compareIfPresent("objectIds", device.objectIds, exact.outputs.objectIds);
+  compareIfPresent("newestIrradiance", device.newestIrradiance, exact.outputs.newestIrradiance);
+  if (device.innovation.count > 0) compareInnovation(comparison, device, exact);
   comparePixelPrev(comparison, device.pixelPrev, exact.outputs.pixelPrev, exact.undecided);
   return comparison;
 }

@@ -20,6 +20,8 @@ struct AccumulateNoisyVariant {
   bool roughness = false;  ///< whether the caller has it
   bool motion = false;     ///< whether the caller has motion vectors
   bool objectId = false;   ///< whether the caller has object ids
+  /// As the method quell has it: with filterGuides, also the newest sample and how far it is from its history.
+  bool innovation = false;
 
   FrameVariant images() const { return {material, viewDepth, roughness}; }
 };

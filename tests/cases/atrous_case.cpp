@@ -1,5 +1,7 @@
 #include "tests/cases/atrous_case.hpp"
 
+#include <algorithm>
+
 #include "tests/support/random_images.hpp"
 
 namespace quell::tests {
@@ -9,7 +11,8 @@ constexpr int kIterations = 5;
 
 StageSetup makeAtrousSetup(const CaseOptions& options, const AtrousVariant& variant) {
   StageSetup setup = makeSetup(options);
-  setFilterMethod(setup, variant.variance ? "svgf" : "atrous", variant.images);
+  setFilterMethod(setup, variant.ofQuell() ? "quell" : variant.variance ? "svgf" : "atrous", variant.images);
+  if (variant.ofQuell()) setup.settings.set("sharpRoughness", variant.sharpRoughness);
   setup.settings.set("iterations", kIterations);
   setup.occurrence = variant.iteration - 1;
   return setup;
@@ -25,6 +28,8 @@ AtrousCase::AtrousCase(const CaseOptions& options, const AtrousVariant& variant)
   inputs.irradiance = randomPlanes(options.size, 3 * signals, options.seed + 10, 0.0, 8.0);
   if (variant.variance) inputs.variance = randomPlanes(options.size, signals, options.seed + 11, 0.0, 4.0);
   inputs.stops = edgeStopsOf(settings);
+  inputs.radius = variant.ofQuell() && variant.iteration > 1 ? 1 : 2;
+  inputs.sharpRoughness = std::max(variant.sharpRoughness, 0.0);
   inputs.step = 1 << (variant.iteration - 1);
   // Without variance the tolerated difference shrinks with the noise that is left.
   inputs.luminanceSigma = settings.get("luminanceSigma") / (variant.variance ? 1 : inputs.step);

@@ -15,6 +15,11 @@ struct AtrousVariant {
   FilterVariant images;
   bool variance = true;  ///< iterations of svgf, else of the method atrous
   int iteration = 1;     ///< from 1
+  /// Iterations of quell: 3x3 taps from the second on, and a narrower stop on luminance below this roughness; negative:
+  /// of svgf.
+  double sharpRoughness = -1.0;
+
+  bool ofQuell() const { return sharpRoughness >= 0.0; }
 };
 
 /// Noise over the scene of filter_inputs.hpp.

@@ -9,6 +9,9 @@ namespace quell::tests {
 /// Relative to the largest component of the pixel: about ten float operations.
 constexpr double kDemodulateTolerance = 1e-6;
 
+/// F_beta: a lookup at a place that is rounded to 1e-5 texels.
+constexpr double kFBetaTolerance = 2e-5;
+
 class DemodulateCase : public StageCase {
  public:
   explicit DemodulateCase(const CaseOptions& options, const FrameVariant& variant = {});

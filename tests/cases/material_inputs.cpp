@@ -35,7 +35,8 @@ void setMaterialViews(StageSetup& setup, const MaterialVariant& variant, const I
   if (variant.albedo) frame.albedo = view;
   if (variant.glossColor) frame.glossColor = view;
   frame.demodulated = variant.demodulated;
-  setup.settings.set("demodulate", variant.divide ? "albedo" : "none");
+  setup.settings.set("demodulate", variant.fBeta ? "fbeta" : variant.divide ? "albedo" : "none");
+  if (variant.fBeta) frame.f0 = view;
 }
 
 MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigned seed) {
@@ -45,6 +46,7 @@ MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigne
   if (variant.albedo) images.albedo = randomFactor(size, seed + 2, 1.0);
   if (variant.glossColor) images.glossColor = randomFactor(size, seed + 3, 0.3);
   if (variant.twoSignals) images.glossyRadiance = randomImage(size, 3, seed + 4, 0.0, kBrightest);
+  if (variant.fBeta) images.f0 = randomImage(size, 3, seed + 5, -0.1, 1.1);
   images.demodulated = variant.demodulated;
   images.divide = variant.divide;
   return images;
@@ -56,6 +58,7 @@ void uploadMaterial(StageHarness& harness, MaterialImages& images) {
   uploadImage(harness, &Frame::emission, images.emission);
   uploadImage(harness, &Frame::albedo, images.albedo);
   uploadImage(harness, &Frame::glossColor, images.glossColor);
+  uploadImage(harness, &Frame::f0, images.f0);
 }
 
 }  // namespace quell::tests

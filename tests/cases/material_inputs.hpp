@@ -14,12 +14,15 @@ struct MaterialVariant {
   bool demodulated = false;
   bool twoSignals = false;
   bool divide = true;  ///< false: the setting demodulate is none
+  bool fBeta = false;  ///< the setting demodulate is fbeta, and there is F0; needs roughness
 };
 constexpr MaterialVariant kFullMaterial{true, true, true, false};
 constexpr MaterialVariant kPlainMaterial{false, false, false, false};
 constexpr MaterialVariant kDemodulatedMaterial{true, true, false, true};
 constexpr MaterialVariant kTwoSignals{true, true, true, false, true};
 constexpr MaterialVariant kTwoDemodulatedSignals{true, true, true, true, true};
+constexpr MaterialVariant kFBetaMaterial{true, true, true, false, false, true, true};
+constexpr MaterialVariant kTwoFBetaSignals{true, true, true, false, true, true, true};
 constexpr MaterialVariant kUndividedMaterial{true, true, true, false, false, false};
 
 /// Views of the images that the variant has, all in one layout, and the setting that goes with it.

@@ -10,9 +10,9 @@ namespace {
 
 constexpr int kTemporalFrames = 5;  // not the default
 
-StageSetup makeVarianceSetup(const CaseOptions& options, int signals) {
+StageSetup makeVarianceSetup(const CaseOptions& options, int signals, VarianceOf of) {
   StageSetup setup = makeSetup(options);
-  setFilterMethod(setup, "svgf", {signals, false});
+  setFilterMethod(setup, of == VarianceOf::Mean ? "quell" : "svgf", {signals, false});
   setup.settings.set("temporalVarianceFrames", kTemporalFrames);
   return setup;
 }
@@ -34,8 +34,8 @@ Planes randomMoments(Size size, int signals, unsigned seed) {
 
 }  // namespace
 
-VarianceCase::VarianceCase(const CaseOptions& options, int signals)
-    : StageCase("variance", makeVarianceSetup(options, signals)) {
+VarianceCase::VarianceCase(const CaseOptions& options, int signals, VarianceOf of)
+    : StageCase("variance", makeVarianceSetup(options, signals, of)) {
   const Settings& settings = m_harness.configuration().settings;
   inputs.guides = randomGuides({signals, false}, options.size, options.seed);
   inputs.moments = randomMoments(options.size, signals, options.seed + 10);
@@ -46,6 +46,7 @@ VarianceCase::VarianceCase(const CaseOptions& options, int signals)
         float(random.integer(0, random.uniform() < 0.1 ? QUELL_MAX_HISTORY_LENGTH : 2 * kTemporalFrames));
   inputs.stops = edgeStopsOf(settings);
   inputs.temporalFrames = kTemporalFrames;
+  inputs.ofMean = of == VarianceOf::Mean;
 }
 
 void VarianceCase::upload() {

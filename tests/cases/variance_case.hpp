@@ -11,10 +11,13 @@ namespace quell::tests {
 /// times the normals' power of 100, mostly cancel (1e-6 measured).
 constexpr double kVarianceTolerance = 1e-5;
 
+/// Of the samples, as svgf has it, or of their mean, as quell has it.
+enum class VarianceOf { Samples, Mean };
+
 /// Histories of all lengths over the scene of filter_inputs.hpp.
 class VarianceCase : public StageCase {
  public:
-  explicit VarianceCase(const CaseOptions& options, int signals = 1);
+  explicit VarianceCase(const CaseOptions& options, int signals = 1, VarianceOf of = VarianceOf::Samples);
 
   VarianceInputs inputs;
 

@@ -140,11 +140,31 @@ TEST_CASE("frames that are not there and directories of another kind are refused
   REQUIRE_THROWS_MATCHES(openSequence(files.directory.file("none")), Error,
                          failsWith(ErrorCode::FileError, {"no such directory"}));
   const TemporaryDirectory empty;
-  REQUIRE_THROWS_MATCHES(openSequence(empty.path()), Error,
-                         failsWith(ErrorCode::FileError, {"camera.json", "camera_matrices.h", "neither"}));
+  REQUIRE_THROWS_MATCHES(
+      openSequence(empty.path()), Error,
+      failsWith(ErrorCode::FileError, {"camera.json", "camera_matrices.h", "none of them"}));
   writeTextFile(empty.file("camera.json"), "{\"frames\": []}");
   REQUIRE_THROWS_MATCHES(openSequence(empty.path()), Error,
                          failsWith(ErrorCode::FileError, {"color_0000.exr", "none"}));
+}
+
+TEST_CASE("motion vectors and object ids are read where every frame has them") {
+  const SmallSequence files;
+  REQUIRE(openSequence(files.directory.path())->read(4).motion.empty());
+  REQUIRE(openSequence(files.directory.path())->read(4).objectId.empty());
+  for (int frame : {3, 4, 5}) {
+    writeExr(files.fileOf("motion", frame), noiseImage(kWidth, kHeight, 2, 50), ExrType::Float);
+    writeExr(files.fileOf("object_id", frame), Image(kWidth, kHeight, 1, 70000.0f), ExrType::Uint);
+  }
+  const FrameData frame = openSequence(files.directory.path())->read(4);
+  REQUIRE(samePixels(frame.motion, noiseImage(kWidth, kHeight, 2, 50)));
+  REQUIRE(samePixels(frame.objectId, Image(kWidth, kHeight, 1, 70000.0f)));
+  writeExr(files.fileOf("object_id", 4), noiseImage(kWidth, kHeight, 3, 50));
+  REQUIRE_THROWS_MATCHES(openSequence(files.directory.path())->read(4), Error,
+                         failsWith(ErrorCode::FileError, {"object_id_0004.exr", "channels Y"}));
+  files.remove("motion", 3);
+  REQUIRE_THROWS_MATCHES(openSequence(files.directory.path()), Error,
+                         failsWith(ErrorCode::FileError, {"motion_0003.exr"}));
 }
 
 TEST_CASE("two signals are read beside the picture as a whole") {

@@ -25,7 +25,8 @@ Matrix4 lookFrom(double cameraX) {
 
 // A wall whose brightness is a ramp in world x, seen from cameraX.
 TrackedFrame wall(double cameraX, double cameraXPrev, float brighter = 0.0f) {
-  TrackedFrame frame{Image(kWidth, kHeight, 3), Image(kWidth, kHeight, 3), Image(kWidth, kHeight, 3), {}};
+  TrackedFrame frame{
+      Image(kWidth, kHeight, 3), Image(kWidth, kHeight, 3), Image(kWidth, kHeight, 3), {}, {}, {}};
   frame.camera.worldToClip = lookFrom(cameraX);
   frame.camera.worldToClipPrev = lookFrom(cameraXPrev);
   for (int y = 0; y < kHeight; ++y) {
@@ -72,6 +73,37 @@ TEST_CASE("background and surfaces that were not visible before do not count") {
     for (int c = 0; c < 3; ++c) now.encoded.at(3, y, c) = now.encoded.at(5, y, c) = 1.0f;
   }
   REQUIRE(errorOf(wall(0.0, 0.0), now) == Approx(0.1).epsilon(1e-3));
+}
+
+// The whole wall as an object that slid to the right by this many pixels since the frame before.
+TrackedFrame slidWall(int pixels, float brighter = 0.0f) {
+  TrackedFrame frame = wall(0.0, 0.0, brighter);
+  frame.motion = Image(kWidth, kHeight, 2);
+  frame.objectId = Image(kWidth, kHeight, 1, 7.0f);
+  const double unitsPerPixel = 2.0 * kDepth / kWidth;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      frame.motion.at(x, y, 0) = float(-pixels);
+      for (int c = 0; c < 3; ++c) frame.encoded.at(x, y, c) -= float(0.02 * pixels * unitsPerPixel);
+    }
+  }
+  return frame;
+}
+
+TEST_CASE("what moves is followed by motion vectors where the object is the same") {
+  TrackedFrame before = slidWall(0);
+  REQUIRE(errorOf(before, slidWall(9)) < 1e-5);
+  REQUIRE(errorOf(before, slidWall(9, 0.1f)) == Approx(0.1).epsilon(1e-3));
+  // Without ids the wall counts as standing still: as bright as nine pixels beside.
+  TrackedFrame withoutIds = slidWall(9);
+  withoutIds.objectId = Image();
+  REQUIRE(errorOf(before, withoutIds) == Approx(0.02 * 9 * 2.0 * kDepth / kWidth).epsilon(1e-2));
+  // Another object was there before.
+  before.objectId = Image(kWidth, kHeight, 1, 8.0f);
+  MotionCompensatedErrorMeter meter;
+  meter.add(before);
+  meter.add(slidWall(9));
+  REQUIRE_FALSE(meter.mean().has_value());
 }
 
 TEST_CASE("the motion-compensated error needs images of one size") {

@@ -14,6 +14,8 @@ constexpr double kRounding = kSurfaceRounding;
 constexpr double kPixelRounding = 1e-3;
 // Error of a history length up to 255 that was interpolated in float.
 constexpr double kLengthRounding = 2e-4;
+// Error of a length n that follows from a turn, over n^2: normals rounded to 1e-7 that are 0.08 / n apart.
+constexpr double kTurnRounding = 1e-5;
 
 struct Place {
   Vector3d pixel = Vector3d::Zero();  // x, y; 0 if not inside
@@ -48,6 +50,18 @@ class PixelOracle {
     if (!sameNormal(s, tap)) return false;
     if (m_inputs.motion.empty()) return nearPosition(s, tap);
     return !m_inputs.objectId.empty() || nearDepth(s, tap);
+  }
+
+  // Frames that history may reach back along a surface that turns; `normalPrev` is the mean over the taps of the
+  // surface.
+  double longestHistory(const Surface& s, const Vector3d& place, const Vector3d& normalPrev) {
+    if (m_inputs.motion.empty()) return QUELL_MAX_HISTORY_LENGTH;
+    const Place atRest = reproject(s);
+    const double off = (atRest.pixel - place).cwiseAbs().maxCoeff();
+    if (atRest.inside) doubt(off, QUELL_MOVING_PX, 0.5 / QUELL_SUBPIXEL_STEPS + kPixelRounding);
+    if (atRest.inside && off <= QUELL_MOVING_PX) return QUELL_MAX_HISTORY_LENGTH;
+    const double step = std::max((normalPrev - s.normal).squaredNorm(), double(QUELL_LEAST_TURN_SQUARED));
+    return QUELL_TURN_SHARE * std::sqrt(m_params.normalLimitSquared / step);
   }
 
   void doubt(double value, double threshold, double rounding) {
@@ -120,20 +134,25 @@ class PixelOracle {
 struct History {
   Vector3d irradiance = Vector3d::Zero();
   double moments[QUELL_MOMENT_PLANES] = {};
-  double length = 0.0;  // rounded to the closest integer
+  double length = 0.0;           // whole
+  double effectiveLength = 0.0;  // the same before it was rounded down where the surface turns
   double weight = 0.0;
   int mask = 0;
 };
 
 History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, const Surface& surface,
-                      int signal, double x, double y) {
+                      int signal, double x, double y, int mostFrames) {
   History history;
   history.mask = QUELL_PREV_IN_FRAME;
   if (!surface.valid) return history;
+  Vector3d normal = Vector3d::Zero();
+  double normalWeight = 0.0;
   for (const Tap& tap : bilinearTaps(inputs.irradiancePrev.size(), x, y)) {
-    if (!tap.inFrame) continue;
+    if (!tap.inFrame || !oracle.sameHistory(surface, tap)) continue;
+    normal += tap.weight * planeVector(inputs.guidesPrev, QUELL_GUIDE_NORMAL, tap.x, tap.y);
+    normalWeight += tap.weight;
     const double weight = tap.weight * inputs.guidesPrev.at(QUELL_GUIDE_WEIGHT + signal, tap.x, tap.y);
-    if (!(weight > 0.0) || !oracle.sameHistory(surface, tap)) continue;
+    if (!(weight > 0.0)) continue;
     history.irradiance += weight * planeVector(inputs.irradiancePrev, 3 * signal, tap.x, tap.y);
     for (int i = 0; i < QUELL_MOMENT_PLANES && inputs.momentsLeastWeight > 0.0; ++i)
       history.moments[i] += weight * inputs.momentsPrev.at(QUELL_MOMENT_PLANES * signal + i, tap.x, tap.y);
@@ -146,14 +165,21 @@ History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, 
   for (double& moment : history.moments) moment /= history.weight;
   history.length /= history.weight;
   oracle.doubt(history.length + 0.5, std::round(history.length + 0.5), kLengthRounding);
-  history.length = std::floor(history.length + 0.5);
+  const double longest = oracle.longestHistory(surface, {x, y, 0.0}, normal / normalWeight);
+  history.effectiveLength = std::min(std::floor(history.length + 0.5), mostFrames - 1.0);
+  const double turnRounding = kLengthRounding + kTurnRounding * longest * longest;
+  if (longest < history.effectiveLength + turnRounding) {
+    oracle.doubt(longest, std::round(longest), turnRounding);
+    history.effectiveLength = std::min(history.effectiveLength, longest);
+  }
+  history.length = std::floor(history.effectiveLength);
   return history;
 }
 
 // Weight of the newest of the samples behind a mean.
 double newestWeight(bool present, const History& history, double leastWeight) {
   if (!present) return 0.0;
-  return history.weight > 0.0 ? std::max(1.0 / (history.length + 1.0), leastWeight) : 1.0;
+  return history.weight > 0.0 ? std::max(1.0 / (history.effectiveLength + 1.0), leastWeight) : 1.0;
 }
 
 // Rec. 709.
@@ -163,12 +189,16 @@ void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int
                  bool present, const History& history, const AccumulateNoisyInputs& inputs) {
   const double blend = newestWeight(present, history, inputs.leastWeight);
   const Vector3d blended = blend * sample.value + (1.0 - blend) * history.irradiance;
-  for (int c = 0; c < 3; ++c) outputs.irradiance.at(3 * signal + c, x, y) = blended[c];
+  for (int c = 0; c < 3; ++c) {
+    outputs.irradiance.at(3 * signal + c, x, y) = blended[c];
+    outputs.newestIrradiance.at(3 * signal + c, x, y) = present ? sample.value[c] : blended[c];
+  }
+  if (present && history.weight > 0.0)
+    outputs.innovation.at(signal, x, y) = luminance(sample.value - history.irradiance);
   outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present                ? sample.weight
                                                          : history.weight > 0.0 ? 1.0
                                                                                 : 0.0;
-  outputs.historyLength.at(signal, x, y) =
-      std::min<double>(history.length + (present ? 1 : 0), QUELL_MAX_HISTORY_LENGTH);
+  outputs.historyLength.at(signal, x, y) = history.length + (present ? 1 : 0);
   outputs.reprojectionMask.at(signal, x, y) = history.mask;
   if (inputs.momentsLeastWeight == 0.0) return;
   const double momentsBlend = newestWeight(present, history, inputs.momentsLeastWeight);
@@ -192,7 +222,7 @@ AccumulateNoisyExact emptyOutputs(Size size, int signals) {
   return {{ExactPlanes(size, 3 * signals), ExactPlanes(size, signals),
            ExactPlanes(size, QUELL_GUIDE_WEIGHT + signals), ExactPlanes(size, 2), ExactPlanes(size, signals),
            ExactPlanes(size, QUELL_MOMENT_PLANES * signals), ExactPlanes(size, 1), ExactPlanes(size, 1),
-           ExactPlanes(size, 1)},
+           ExactPlanes(size, 1), ExactPlanes(size, 3 * signals), ExactPlanes(size, signals)},
           BasicPlanes<char>(size, 1)};
 }
 
@@ -209,9 +239,10 @@ AccumulateNoisyExact accumulateNoisyOracle(const AccumulateNoisyInputs& inputs, 
     for (int signal = 0; signal < signals; ++signal) {
       const Material material = materialAt(inputs.material, x, y, signal);
       const Irradiance sample = demodulate(material);
-      const History history = place.inside ? gatherHistory(inputs, oracle, surface, signal,
-                                                           pixelPrev.at(0, x, y), pixelPrev.at(1, x, y))
-                                           : History();
+      const double xPrev = pixelPrev.at(0, x, y), yPrev = pixelPrev.at(1, x, y);
+      const int mostFrames = xPrev == x && yPrev == y ? inputs.mostFramesStill : inputs.mostFrames;
+      const History history =
+          place.inside ? gatherHistory(inputs, oracle, surface, signal, xPrev, yPrev, mostFrames) : History();
       const bool present = material.finite && sample.weight > 0.0 && surface.valid;
       storeSignal(exact.outputs, signal, x, y, sample, present, history, inputs);
       oracle.undecided = oracle.undecided || factorUndecided(material);

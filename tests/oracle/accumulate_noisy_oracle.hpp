@@ -17,6 +17,8 @@ struct AccumulateNoisyInputs : FrameImages {
   io::Image objectId;        ///< the bits, as whole numbers; empty: absent
   Planes objectIdsPrev;      ///< 1 plane; used only with objectId
   double leastWeight = 0.2;
+  int mostFrames = 255;             ///< longest history
+  int mostFramesStill = 255;        ///< the same of pixels that do not move on the screen
   double momentsLeastWeight = 0.0;  ///< 0: no moments
 };
 
@@ -24,6 +26,7 @@ template <class Value>
 struct AccumulateNoisyOutputs {
   BasicPlanes<Value> irradiance, historyLength, guides, pixelPrev, reprojectionMask;
   BasicPlanes<Value> moments, viewDepth, roughness, objectIds;  ///< empty where there are none
+  BasicPlanes<Value> newestIrradiance, innovation;              ///< likewise; as irradiance, 1 plane a signal
 };
 
 struct AccumulateNoisyExact {

@@ -16,7 +16,11 @@ constexpr double kLeastSum = 1e-5;
 // Error of a penalty near the largest one in float.
 constexpr double kPenaltyRounding = 1e-3;
 
-double splineWeight(int tap) { return tap == 0 ? 3.0 / 8.0 : std::abs(tap) == 1 ? 1.0 / 4.0 : 1.0 / 16.0; }
+double splineWeight(int radius, int tap) {
+  constexpr double kCubic[] = {3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0};
+  constexpr double kLinear[] = {1.0 / 2.0, 1.0 / 4.0};
+  return radius == 2 ? kCubic[std::abs(tap)] : kLinear[std::abs(tap)];
+}
 
 Vector3d irradianceAt(const AtrousInputs& inputs, int signal, int x, int y) {
   return {inputs.irradiance.at(3 * signal, x, y), inputs.irradiance.at(3 * signal + 1, x, y),
@@ -46,12 +50,19 @@ double prefilteredVariance(const AtrousInputs& inputs, int signal, int x, int y)
   return sum;
 }
 
+// From 1 at sharpRoughness to 2 at roughness 0.
+double sharpening(const AtrousInputs& inputs, int signal, int x, int y) {
+  if (inputs.sharpRoughness == 0.0 || inputs.guides.roughness.count == 0) return 1.0;
+  if (signal != inputs.signals() - 1) return 1.0;
+  return 2.0 - std::min(inputs.guides.roughness.at(0, x, y) / inputs.sharpRoughness, 1.0);
+}
+
 // Penalty per unit of luminance; none where the centre has no sample to compare with.
 double luminancePenaltyRate(const AtrousInputs& inputs, int signal, int x, int y) {
   if (sampleWeight(inputs, signal, x, y) == 0.0) return 0.0;
   const bool guided = inputs.variance.count > 0;
   const double deviation = guided ? std::sqrt(prefilteredVariance(inputs, signal, x, y)) : 1.0;
-  return 1.0 / (inputs.luminanceSigma * deviation + QUELL_LEAST_LUMINANCE_STEP);
+  return sharpening(inputs, signal, x, y) / (inputs.luminanceSigma * deviation + QUELL_LEAST_LUMINANCE_STEP);
 }
 
 struct Filtered {
@@ -66,8 +77,8 @@ Filtered filterPixel(const AtrousInputs& inputs, const EdgeStopsOracle& stops, i
   const double luminance = luminanceAt(inputs, signal, x, y);
   const double rate = luminancePenaltyRate(inputs, signal, x, y);
   Filtered sum;
-  for (int tapY = -2; tapY <= 2; ++tapY) {
-    for (int tapX = -2; tapX <= 2; ++tapX) {
+  for (int tapY = -inputs.radius; tapY <= inputs.radius; ++tapY) {
+    for (int tapX = -inputs.radius; tapX <= inputs.radius; ++tapX) {
       const int column = x + tapX * inputs.step, row = y + tapY * inputs.step;
       if (column < 0 || column >= size.width || row < 0 || row >= size.height) continue;
       double penalty = 0.0;  // the centre resembles itself
@@ -76,8 +87,8 @@ Filtered filterPixel(const AtrousInputs& inputs, const EdgeStopsOracle& stops, i
                   rate * std::abs(luminanceAt(inputs, signal, column, row) - luminance);
         if (signal == inputs.signals() - 1) penalty += stops.roughnessPenalty(column, row);
       }
-      const double weight = splineWeight(tapX) * splineWeight(tapY) * weightOfPenalty(penalty) *
-                            sampleWeight(inputs, signal, column, row);
+      const double spline = splineWeight(inputs.radius, tapX) * splineWeight(inputs.radius, tapY);
+      const double weight = spline * weightOfPenalty(penalty) * sampleWeight(inputs, signal, column, row);
       sum.nearLimit = sum.nearLimit || std::abs(penalty - kLargestPenalty) < kPenaltyRounding;
       sum.irradiance += weight * irradianceAt(inputs, signal, column, row);
       if (inputs.variance.count > 0)

@@ -24,13 +24,15 @@ Vector3d colorAt(const MaterialImages& images, int x, int y, int signal) {
   const bool apart = images.signals() == 2;
   Vector3d color = Vector3d::Zero();
   bool any = false;
-  const auto add = [&](const io::Image& image, int ofSignal) {
+  const auto add = [&](const io::Image& image, int ofSignal, const Vector3d& dimmed) {
     if (image.empty() || (apart && signal != ofSignal)) return;
-    color += cleanFactor(rgbAt(image, x, y));
+    color += cleanFactor(rgbAt(image, x, y)).cwiseProduct(dimmed);
     any = true;
   };
-  add(images.albedo, 0);
-  add(images.glossColor, 1);
+  Vector3d fBeta = Vector3d::Ones();
+  for (int c = 0; c < images.fBeta.count; ++c) fBeta[c] = images.fBeta.at(c, x, y);
+  add(images.albedo, 0, Vector3d::Ones());
+  add(images.glossColor, 1, fBeta);
   return any ? color : Vector3d::Ones();
 }
 

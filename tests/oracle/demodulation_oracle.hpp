@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "host/io/image.hpp"
+#include "tests/support/planes.hpp"
 
 namespace quell::tests {
 
@@ -16,6 +17,10 @@ struct MaterialImages {
   bool demodulated = false;  ///< radiance is irradiance already
   io::Image glossyRadiance;  ///< makes two signals of them
   bool divide = true;        ///< false: light is filtered as it is
+  io::Image f0;              ///< empty: absent
+  /// 3 planes: what the gloss colour is multiplied by, as the device looked it up; empty: by nothing. Not with
+  /// `demodulated`.
+  Planes fBeta;
 
   int signals() const { return glossyRadiance.empty() ? 1 : 2; }
 };

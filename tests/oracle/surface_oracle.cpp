@@ -40,4 +40,14 @@ double roughnessAt(const FrameImages& frame, int x, int y) {
   return std::isfinite(roughness) ? std::clamp(roughness, 0.0, 1.0) : 1.0;
 }
 
+double cosineOf(const Surface& surface) {
+  return std::abs(surface.position.normalized().dot(surface.normal.normalized()));
+}
+
+Vector3d f0At(const FrameImages& frame, int x, int y) {
+  return rgbAt(frame.material.f0, x, y).unaryExpr([](double f) {
+    return std::isfinite(f) ? std::clamp(f, 0.0, 1.0) : 0.0;
+  });
+}
+
 }  // namespace quell::tests

@@ -30,6 +30,11 @@ double viewDepthOf(const FrameImages& frame, const Surface& surface);
 /// 1 where it is not finite.
 double roughnessAt(const FrameImages& frame, int x, int y);
 
+/// |cos| of the angle between view ray and normal; of a valid surface.
+double cosineOf(const Surface& surface);
+/// Fresnel reflectance at normal incidence, clamped; 0 where it is not finite.
+Vector3d f0At(const FrameImages& frame, int x, int y);
+
 /// Relative error of a handful of float operations.
 constexpr double kSurfaceRounding = 1e-6;
 

@@ -41,6 +41,11 @@ Moments spatialMoments(const VarianceInputs& inputs, int signal, int x, int y) {
   return {sum.first / weights, sum.second / weights};
 }
 
+// Independent samples that the mean over a history is worth.
+double samplesBehind(const VarianceInputs& inputs, double length) {
+  return inputs.ofMean ? std::max(length, 1.0) : 1.0;
+}
+
 }  // namespace
 
 VarianceExact varianceOracle(const VarianceInputs& inputs) {
@@ -54,7 +59,8 @@ VarianceExact varianceOracle(const VarianceInputs& inputs) {
       const bool spatial = length < inputs.temporalFrames && hasSample;
       const Moments moments =
           spatial ? spatialMoments(inputs, signal, x, y) : momentsAt(inputs, signal, x, y);
-      const double raise = spatial ? inputs.temporalFrames / std::max(length, 1.0) : 1.0;
+      const double raise =
+          (spatial ? inputs.temporalFrames / std::max(length, 1.0) : 1.0) / samplesBehind(inputs, length);
       exact.variance.at(signal, x, y) = raise * std::max(moments.second - moments.first * moments.first, 0.0);
       exact.magnitude.at(signal, x, y) = raise * std::max(moments.second, moments.first * moments.first);
     });

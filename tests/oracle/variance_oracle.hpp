@@ -12,6 +12,7 @@ struct VarianceInputs {
   FilterGuides guides;
   EdgeStopParams stops{};
   int temporalFrames = 4;
+  bool ofMean = false;  ///< variance of the mean over the history, else of its samples
 };
 
 struct VarianceExact {

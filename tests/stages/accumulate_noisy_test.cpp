@@ -30,8 +30,8 @@ void fill(Planes& planes, float value) { std::fill(planes.values.begin(), planes
 bool isSurface(const Planes& guides, int x, int y) { return guides.at(QUELL_GUIDE_WEIGHT, x, y) > 0.0f; }
 
 std::vector<const Planes*> allOutputs(const AccumulateNoisyOutputs<float>& o) {
-  return {&o.irradiance, &o.historyLength, &o.guides,    &o.pixelPrev, &o.reprojectionMask,
-          &o.moments,    &o.viewDepth,     &o.roughness, &o.objectIds};
+  return {&o.irradiance, &o.historyLength, &o.guides,    &o.pixelPrev,        &o.reprojectionMask, &o.moments,
+          &o.viewDepth,  &o.roughness,     &o.objectIds, &o.newestIrradiance, &o.innovation};
 }
 
 // What a run with this signal alone would get.
@@ -63,7 +63,7 @@ TestCamera slightlyMovedCamera() {
 
 const AccumulateNoisyVariant kPlain{kPlainMaterial};
 const AccumulateNoisyVariant kPlainWithMoments{kPlainMaterial, false, true};
-const AccumulateNoisyVariant kEverything{kTwoSignals, false, true, true};
+const AccumulateNoisyVariant kEverything{kTwoSignals, false, true, true, false, false, true};
 const AccumulateNoisyVariant kMotionAndObjects{kPlainMaterial, false, false, false, true, true};
 
 }  // namespace
@@ -83,15 +83,20 @@ TEST_CASE("accumulate_noisy agrees with its oracle whichever images there are") 
                                              {kTwoDemodulatedSignals, false, true, true},
                                              {{false, false, false, false, true}, true, true, false},
                                              {{true, true, true, false, true, false}, false, true, true}};
-  for (const AccumulateNoisyVariant& variant : variants) checkLayouts(maker(variant), {packed(3)});
+  std::vector<CaseMaker> makers;
+  for (const AccumulateNoisyVariant& variant : variants) makers.push_back(maker(variant));
+  checkVariants(makers);
 }
 
-TEST_CASE("accumulate_noisy reads every layout") { checkLayouts(maker(), inputLayouts()); }
+// material_guides and remodulate read all others, through the same functions.
+TEST_CASE("accumulate_noisy reads layouts of all kinds") {
+  checkLayouts(maker(), {packed(1), packed(2), packedHalf(3), interleaved(4, ComponentFormat::Float16)});
+}
 
 TEST_CASE("accumulate_noisy does not depend on the work-group") {
-  checkWorkGroups(maker(), {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask"});
-  checkWorkGroups(maker(kEverything), {"irradiance", "historyLength", "guides", "pixelPrev",
-                                       "reprojectionMask", "moments", "viewDepth", "roughness"});
+  checkWorkGroups(maker(kEverything),
+                  {"irradiance", "historyLength", "guides", "pixelPrev", "reprojectionMask", "moments",
+                   "viewDepth", "roughness", "newestIrradiance", "innovation"});
 }
 
 TEST_CASE("accumulate_noisy of two signals equals two runs of one") {
@@ -274,6 +279,19 @@ TEST_CASE("accumulate_noisy keeps the history of a pixel without a sample") {
     CHECK(outputs.historyLength.at(0, x, y) == (surface ? 3.0f : 0.0f));
     CHECK(outputs.irradiance.at(2, x, y) == (surface ? noisy.inputs.irradiancePrev.at(2, x, y) : 0.0f));
   });
+}
+
+TEST_CASE("accumulate_noisy without a sample has nothing new") {
+  CaseOptions options;
+  options.size = {61, 40};
+  AccumulateNoisyCase noisy(options, kEverything);
+  for (io::Image* image : {&noisy.inputs.material.radiance, &noisy.inputs.material.glossyRadiance})
+    std::fill(image->pixels.begin(), image->pixels.end(), std::numeric_limits<float>::quiet_NaN());
+  noisy.upload();
+  noisy.run();
+  const auto outputs = noisy.outputs();
+  CHECK(sameBits(outputs.newestIrradiance, outputs.irradiance));
+  CHECK(sameBits(outputs.innovation, Planes(options.size, 2)));
 }
 
 TEST_CASE("accumulate_noisy takes materials that fade to black") {

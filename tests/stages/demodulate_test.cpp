@@ -19,13 +19,17 @@ CaseMaker maker(const FrameVariant& variant) {
 TEST_CASE("demodulate agrees with its oracle") { checkSizes(maker(kEverything)); }
 
 TEST_CASE("demodulate agrees with its oracle whichever images there are") {
-  checkLayouts(maker({kPlainMaterial, true}), {packed(3)});
-  checkLayouts(maker({kUndividedMaterial}), {packed(3)});
-  checkLayouts(maker({kTwoDemodulatedSignals, true, true}), {packed(3)});
+  checkVariants({maker({kPlainMaterial, true}), maker({kUndividedMaterial}),
+                 maker({kTwoDemodulatedSignals, true, true})});
 }
 
-TEST_CASE("demodulate reads every layout of two signals") {
-  checkLayouts(maker(kEverything), {packedHalf(4), interleaved(3)});
+TEST_CASE("demodulate divides by F_beta as its oracle does") {
+  checkSizes(maker({kTwoFBetaSignals, false, true}));
+  checkLayouts(maker({kFBetaMaterial, true, true}), {packedHalf(4)});
+}
+
+TEST_CASE("demodulate reads two signals of half precision") {
+  checkLayouts(maker(kEverything), {packedHalf(4)});
 }
 
 TEST_CASE("demodulate does not depend on the work-group") {

@@ -156,3 +156,30 @@ TEST_CASE("variance is finite and not negative for the most extreme moments, dep
     CHECK(bad == 0);
   }
 }
+
+TEST_CASE("variance of the mean agrees with its oracle") {
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    for (const Size size : {Size{1, 1}, Size{7, 93}, Size{33, 31}}) {
+      CaseOptions options;
+      options.size = size;
+      options.mapping = mapping;
+      VarianceCase ofMean(options, 2, VarianceOf::Mean);
+      checkAgreement(ofMean, options);
+    }
+  }
+}
+
+TEST_CASE("variance of the mean is that of the samples over their number") {
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    CaseOptions options;
+    options.mapping = mapping;
+    VarianceCase samples(options, 2);
+    VarianceCase mean(options, 2, VarianceOf::Mean);
+    const Planes variance = runVariance(samples);
+    const Planes ofMean = runVariance(mean);
+    for (std::size_t i = 0; i < variance.values.size(); ++i) {
+      const double worth = std::max(double(mean.inputs.historyLength.values[i]), 1.0);
+      CHECK(ofMean.values[i] == Approx(variance.values[i] / worth).epsilon(1e-6));
+    }
+  }
+}

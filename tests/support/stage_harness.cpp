@@ -7,6 +7,7 @@
 
 #include "host/core/frame_images.hpp"
 #include "host/methods/method.hpp"
+#include "tests/support/f_beta_texels.hpp"
 #include "tests/support/image_layout.hpp"
 
 namespace quell::tests {
@@ -133,6 +134,8 @@ StageHarness::StageHarness(const std::string& stem, const StageSetup& setup)
   m_configuration.device = queryDeviceTraits(device.device, setup.mapping);
   m_frame = m_configuration.frame;
 
+  if (dividesByFBeta(m_configuration))
+    m_configuration.fBetaTable = sharedFBetaTexels(Mapping::Wide, Shadowing::Separable).buffer();
   m_schedule = findMethod(setup.settings.method()).makeSchedule(m_configuration);
   int skip = setup.occurrence;
   const auto isWanted = [&](const StageRow& row) { return row.stage->name() == stem && skip-- == 0; };

@@ -31,7 +31,7 @@ struct StageSetup {
   Mapping mapping = Mapping::Automatic;
   std::array<int, 2> workGroup{0, 0};
   int fitGroup = 0;
-  Settings settings;
+  Settings settings{"bmfr"};
   Frame frame;
   Output output;
   int occurrence = 0;  ///< which of the stages of this name, from 0

@@ -1,5 +1,6 @@
 // The README's example: one frame of a renderer's own buffers, denoised on the renderer's own queue.
 #include <cstdio>
+#include <cstdlib>
 #include <quell/quell.hpp>
 #include <vector>
 
@@ -36,7 +37,8 @@ cl_mem makeImage(cl_context context, float value) {
 }  // namespace
 
 int main() {
-  const quell::DeviceInfo info = quell::chooseDevice();
+  const char* spec = std::getenv("QUELL_TEST_DEVICE");
+  const quell::DeviceInfo info = quell::chooseDevice(spec != nullptr ? spec : "");
   cl_context context = clCreateContext(nullptr, 1, &info.device, nullptr, nullptr, nullptr);
   cl_command_queue queue = clCreateCommandQueue(context, info.device, 0, nullptr);
   quell::Camera camera;

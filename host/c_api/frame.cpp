@@ -1,0 +1,142 @@
+#include "host/c_api/frame.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <string>
+
+#include "host/c_api/boundary.hpp"
+#include "host/core/frame_images.hpp"
+
+namespace quell::c_api {
+namespace {
+
+/// One input image in both languages.
+struct FrameImagePair {
+  quell_image_view quell_frame::*given;
+  ImageView Frame::*view;
+};
+
+constexpr FrameImagePair kImages[] = {
+    {&quell_frame::radiance, &Frame::radiance},
+    {&quell_frame::glossyRadiance, &Frame::glossyRadiance},
+    {&quell_frame::normalWorld, &Frame::normalWorld},
+    {&quell_frame::positionWorld, &Frame::positionWorld},
+    {&quell_frame::viewDepth, &Frame::viewDepth},
+    {&quell_frame::albedo, &Frame::albedo},
+    {&quell_frame::glossColor, &Frame::glossColor},
+    {&quell_frame::roughness, &Frame::roughness},
+    {&quell_frame::f0, &Frame::f0},
+    {&quell_frame::emission, &Frame::emission},
+    {&quell_frame::motion, &Frame::motion},
+    {&quell_frame::objectId, &Frame::objectId},
+};
+
+/// The same images in the same order as kFrameImages.
+constexpr bool hasAllImages() {
+  if (std::size(kImages) != std::size(kFrameImages)) return false;
+  for (std::size_t i = 0; i < std::size(kImages); ++i)
+    if (kImages[i].view != kFrameImages[i].view) return false;
+  return true;
+}
+static_assert(hasAllImages(), "quell_frame must have every image of quell::Frame");
+
+[[noreturn]] void refuseEnumerator(const char* function, const std::string& field, const char* expected,
+                                   std::int32_t got) {
+  throw Error(ErrorCode::InvalidArgument, {function, field, expected, std::to_string(got)});
+}
+
+ImageView toView(const quell_image_view& given, const char* function, const char* name) {
+  ImageView view;
+  view.memory = given.memory;
+  switch (given.format) {
+    case QUELL_FLOAT32:
+      view.format = ComponentFormat::Float32;
+      break;
+    case QUELL_FLOAT16:
+      view.format = ComponentFormat::Float16;
+      break;
+    case QUELL_UINT32:
+      view.format = ComponentFormat::UInt32;
+      break;
+    default:
+      refuseEnumerator(function, std::string(name) + ".format",
+                       "QUELL_FLOAT32, QUELL_FLOAT16 or QUELL_UINT32", given.format);
+  }
+  view.channels = given.channels;
+  view.offsetBytes = given.offsetBytes;
+  view.pixelStrideBytes = given.pixelStrideBytes;
+  view.rowPitchBytes = given.rowPitchBytes;
+  return view;
+}
+
+Camera toCamera(const quell_camera& given) {
+  Camera camera;
+  std::copy(std::begin(given.worldToClip), std::end(given.worldToClip), camera.worldToClip.begin());
+  std::copy(std::begin(given.worldToClipPrev), std::end(given.worldToClipPrev),
+            camera.worldToClipPrev.begin());
+  camera.jitterPx = {given.jitterPx[0], given.jitterPx[1]};
+  camera.jitterPxPrev = {given.jitterPxPrev[0], given.jitterPxPrev[1]};
+  return camera;
+}
+
+TimerMode toTimerMode(quell_timer_mode mode, const char* function) {
+  switch (mode) {
+    case QUELL_TIMERS_OFF:
+      return TimerMode::Off;
+    case QUELL_TIMERS_DEVICE:
+      return TimerMode::Device;
+    case QUELL_TIMERS_HOST:
+      return TimerMode::Host;
+  }
+  refuseEnumerator(function, "options.timers", "QUELL_TIMERS_OFF, QUELL_TIMERS_DEVICE or QUELL_TIMERS_HOST",
+                   mode);
+}
+
+Mapping toMapping(quell_mapping mapping, const char* function) {
+  switch (mapping) {
+    case QUELL_MAPPING_AUTOMATIC:
+      return Mapping::Automatic;
+    case QUELL_MAPPING_NARROW:
+      return Mapping::Narrow;
+    case QUELL_MAPPING_WIDE:
+      return Mapping::Wide;
+  }
+  refuseEnumerator(function, "options.mapping",
+                   "QUELL_MAPPING_AUTOMATIC, QUELL_MAPPING_NARROW or QUELL_MAPPING_WIDE", mapping);
+}
+
+}  // namespace
+
+Frame toFrame(const quell_frame* given, const char* function) {
+  const quell_frame read = readStruct(given, function, "frame");
+  Frame frame;
+  frame.size = {read.width, read.height};
+  frame.camera = toCamera(read.camera);
+  frame.demodulated = read.demodulated != 0;
+  for (std::size_t i = 0; i < std::size(kFrameImages); ++i)
+    frame.*kImages[i].view = toView(read.*kImages[i].given, function, kFrameImages[i].name);
+  return frame;
+}
+
+Output toOutput(const quell_output* given, const char* function) {
+  const quell_output read = readStruct(given, function, "output");
+  Output output;
+  output.linear = toView(read.linear, function, "linear");
+  output.display = toView(read.display, function, "display");
+  return output;
+}
+
+Options toOptions(const quell_options* given, const char* function) {
+  Options options;
+  if (given == nullptr) return options;
+  const quell_options read = readStruct(given, function, "options");
+  options.timers = toTimerMode(read.timers, function);
+  options.mapping = toMapping(read.mapping, function);
+  options.workGroup = {read.workGroup[0], read.workGroup[1]};
+  options.fitGroup = read.fitGroup;
+  if (read.cacheDirectory != nullptr) options.cacheDirectory = read.cacheDirectory;
+  return options;
+}
+
+}  // namespace quell::c_api

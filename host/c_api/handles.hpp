@@ -1,0 +1,19 @@
+// What the handles of the C API stand for.
+#pragma once
+
+#include <quell/quell.h>
+
+#include <quell/denoiser.hpp>
+#include <quell/settings.hpp>
+#include <string>
+
+struct quell_settings {
+  quell::Settings settings;
+  std::string text;  // last handed out by quellGetSetting
+};
+
+struct quell_denoiser {
+  quell::Denoiser denoiser;
+  quell::MemoryUse memory;  // as of quellGetMemoryUse
+  quell::Timings timings;   // as of quellGetTimings
+};

@@ -1,0 +1,228 @@
+#include "host/io/multilayer_sequence.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "host/io/cycles_sequence.hpp"
+#include "host/io/exr_image.hpp"
+#include "host/io/file_error.hpp"
+#include "host/io/multilayer_camera.hpp"
+#include "host/io/sequence_files.hpp"
+
+namespace quell::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kStage[] = "open sequence";
+constexpr char kCombined[] = ".Combined.R";
+/// Blender adds what its compositor makes as a layer of this name.
+constexpr char kCompositorLayer[] = "Composite";
+
+/// Channels of the passes that are read, in the order in which they are wanted.
+std::vector<std::string> channelsOf(const std::string& pass) {
+  if (pass == "Normal" || pass == "Position") return {"X", "Y", "Z"};
+  if (pass == "Depth") return {"Z"};
+  if (pass == "Vector") return {"X", "Y"};
+  if (pass == "IndexOB" || pass == "roughness") return {"X"};
+  return {"R", "G", "B"};
+}
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// The view layers: what stands before .Combined.R.
+std::vector<std::string> layersOf(const std::vector<std::string>& channels) {
+  std::vector<std::string> layers;
+  for (const std::string& channel : channels)
+    if (endsWith(channel, kCombined))
+      layers.push_back(channel.substr(0, channel.size() - std::string(kCombined).size()));
+  if (layers.size() > 1)
+    layers.erase(std::remove(layers.begin(), layers.end(), kCompositorLayer), layers.end());
+  return layers;
+}
+
+std::size_t countDigits(const std::string& stem) {
+  std::size_t digits = 0;
+  while (digits < stem.size() && stem[stem.size() - 1 - digits] >= '0' &&
+         stem[stem.size() - 1 - digits] <= '9')
+    ++digits;
+  return std::min<std::size_t>(digits, 9);  // what fits an int
+}
+
+}  // namespace
+
+bool isMultilayerFile(const std::string& path) {
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure)) return false;
+  try {
+    return !layersOf(readExrHeader(path).channels).empty();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+std::string findMultilayerFile(const std::string& directory) {
+  std::error_code failure;
+  std::vector<std::string> paths;
+  const fs::directory_iterator end;
+  for (fs::directory_iterator entry(directory, failure); !failure && entry != end; entry.increment(failure))
+    if (entry->path().extension() == ".exr" && countDigits(entry->path().stem().string()) > 0)
+      paths.push_back(entry->path().string());
+  std::sort(paths.begin(), paths.end());
+  const auto found = std::find_if(paths.begin(), paths.end(), isMultilayerFile);
+  return found == paths.end() ? std::string() : *found;
+}
+
+MultilayerSequence::MultilayerSequence(const std::string& path, bool wholeDirectory, int signals)
+    : m_name(wholeDirectory ? fs::path(path).parent_path().string() : path), m_signals(signals) {
+  const std::string stem = fs::path(path).stem().string();
+  const std::size_t digits = countDigits(stem);
+  m_digits = int(digits);
+  m_prefix = (fs::path(path).parent_path() / stem.substr(0, stem.size() - digits)).string();
+  const int number = digits > 0 ? std::stoi(stem.substr(stem.size() - digits)) : 0;
+  if (wholeDirectory) {
+    m_frames = findFrames(m_name, [&](int frame) { return fs::path(fileOf(frame)).filename().string(); });
+  } else {
+    m_frames = {number};
+  }
+
+  const ExrHeader header = readExrHeader(path);
+  m_width = header.width;
+  m_height = header.height;
+  m_channels = header.channels;
+  const std::vector<std::string> layers = layersOf(m_channels);
+  if (layers.size() != 1)
+    throwFileError(kStage, path, "one view layer with the pass Combined",
+                   layers.empty() ? "none" : fmt::format("{}", fmt::join(layers, ", ")));
+  m_layer = layers.front();
+  openCameras(fs::path(path).parent_path().string());
+  requirePasses();
+}
+
+void MultilayerSequence::openCameras(const std::string& directory) {
+  if (!hasFile(directory.empty() ? "." : directory, kCyclesCameraFile)) return;
+  const std::string path = joinPath(directory, kCyclesCameraFile);
+  m_cameras = readCameraFile(path);
+  for (const int frame : m_frames)
+    if (m_cameras.count(frame) == 0)
+      throwFileError(kStage, path, fmt::format("matrices of frame {}", frame), "none");
+}
+
+void MultilayerSequence::requirePasses() const {
+  requirePass("Normal");
+  if (m_signals == 2)
+    for (const char* pass : {"DiffDir", "DiffInd", "GlossDir", "GlossInd", "DiffCol", "GlossCol"})
+      requirePass(pass);
+  const bool position = hasPass("Position"), depth = hasPass("Depth");
+  if (m_cameras.empty() && !(position && depth))
+    throwFileError(
+        kStage, m_name,
+        fmt::format("the pass {}.{}, or camera.json beside it", m_layer, position ? "Depth" : "Position"),
+        "neither");
+  if (!position && !depth)
+    throwFileError(kStage, m_name, fmt::format("the pass {0}.Position or {0}.Depth", m_layer), "neither");
+}
+
+std::string MultilayerSequence::fileOf(int frame) const {
+  return m_digits > 0 ? fmt::format("{}{:0{}}.exr", m_prefix, frame, m_digits) : m_prefix + ".exr";
+}
+
+bool MultilayerSequence::hasPass(const std::string& pass) const {
+  const std::vector<std::string> names = channelsOf(pass);
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::find(m_channels.begin(), m_channels.end(), m_layer + "." + pass + "." + name) !=
+           m_channels.end();
+  });
+}
+
+void MultilayerSequence::requirePass(const std::string& pass) const {
+  if (!hasPass(pass))
+    throwFileError(kStage, m_name, fmt::format("the pass {}.{}", m_layer, pass), "a file without it");
+}
+
+Image MultilayerSequence::readPass(int frame, const std::string& pass) const {
+  std::vector<std::string> names = channelsOf(pass);
+  for (std::string& name : names) name = m_layer + "." + pass + "." + name;
+  return readChannelsOfSize(fileOf(frame), names, m_width, m_height);
+}
+
+Image MultilayerSequence::sumOfPasses(int frame, const std::vector<std::string>& passes) const {
+  Image sum;
+  for (const std::string& pass : passes) {
+    if (!hasPass(pass)) continue;
+    Image image = readPass(frame, pass);
+    if (sum.empty()) {
+      sum = std::move(image);
+    } else {
+      for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += image.pixels[i];
+    }
+  }
+  return sum;
+}
+
+Matrix4 MultilayerSequence::worldToClipOf(int frame) const {
+  const auto camera = findCamera(readPass(frame, "Position"), readPass(frame, "Depth"));
+  if (!camera)
+    throwFileError("read frame", fileOf(frame),
+                   "camera.json, or a perspective camera that follows from Position and Depth",
+                   "no surfaces, surfaces in one plane alone, or another camera");
+  return *camera;
+}
+
+Image MultilayerSequence::readPositions(int frame, const Matrix4& worldToClip) const {
+  if (hasPass("Position")) return readPass(frame, "Position");
+  auto position = positionsFromDepth(worldToClip, readPass(frame, "Depth"));
+  if (!position)
+    throwFileError("read frame", fileOf(frame), fmt::format("the pass {}.Position", m_layer),
+                   "a camera from which positions cannot be found by Depth");
+  return std::move(*position);
+}
+
+FrameData MultilayerSequence::read(int frame) const {
+  requireFrame(m_name, m_frames, frame);
+  FrameData data;
+  data.number = frame;
+  if (!m_cameras.empty()) {
+    data.camera = m_cameras.at(frame);
+  } else {
+    data.camera.worldToClip = worldToClipOf(frame);
+    data.camera.worldToClipPrev =
+        frame > m_frames.front() ? worldToClipOf(frame - 1) : data.camera.worldToClip;
+  }
+  data.radiance = readPass(frame, "Combined");
+  if (m_signals == 2) {
+    data.combined = std::move(data.radiance);
+    data.radiance = sumOfPasses(frame, {"DiffDir", "DiffInd"});
+    data.glossyRadiance = sumOfPasses(frame, {"GlossDir", "GlossInd"});
+    data.demodulated = true;
+  }
+  data.normalWorld = readPass(frame, "Normal");
+  data.positionWorld = readPositions(frame, data.camera.worldToClip);
+  if (hasPass("DiffCol")) data.albedo = readPass(frame, "DiffCol");
+  if (hasPass("GlossCol")) data.glossColor = readPass(frame, "GlossCol");
+  data.emission = sumOfPasses(frame, {"Emit", "Env"});
+  if (hasPass("roughness")) data.roughness = readPass(frame, "roughness");
+  if (hasPass("IndexOB")) data.objectId = readPass(frame, "IndexOB");
+  if (hasPass("Vector")) data.motion = readPass(frame, "Vector");
+  for (std::size_t pixel = 0; !data.motion.empty() && pixel < data.normalWorld.pixels.size() / 3; ++pixel) {
+    float* motion = &data.motion.pixels[2 * pixel];
+    const float* normal = &data.normalWorld.pixels[3 * pixel];
+    // Blender's y points up, and its background has no motion, whatever the camera does: better no history there.
+    const bool background = normal[0] == 0.0f && normal[1] == 0.0f && normal[2] == 0.0f;
+    motion[1] = background ? std::numeric_limits<float>::quiet_NaN() : -motion[1];
+  }
+  return data;
+}
+
+std::optional<Reference> MultilayerSequence::reference(int frame) const {
+  requireFrame(m_name, m_frames, frame);
+  return std::nullopt;
+}
+
+}  // namespace quell::io

@@ -1,0 +1,65 @@
+// Multilayer OpenEXR files as Blender's Cycles writes them: all passes of a frame in one file, named
+// <view layer>.<pass>.<channel>.
+//
+// Needed: Combined, Normal, and Position or Depth. Read where a file has them: DiffCol and GlossCol (albedo and gloss
+// colour), Emit and Env (emission), Vector (motion), IndexOB (object ids). Two signals need DiffDir, DiffInd, GlossDir
+// and GlossInd besides.
+//
+// The camera comes from camera.json beside the files (cycles_sequence.hpp), whose frame numbers are those of the file
+// names. Without it, it follows from Position and Depth: each is a linear function of the other, up to the pixel.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "host/io/frame_sequence.hpp"
+
+namespace quell::io {
+
+/// Whether the file is there and has a channel that ends with .Combined.R.
+bool isMultilayerFile(const std::string& path);
+
+/// The multilayer file of the least frame number in a directory; empty where there is none.
+std::string findMultilayerFile(const std::string& directory);
+
+class MultilayerSequence final : public FrameSequence {
+ public:
+  /// `path` is one frame; with `wholeDirectory` all files beside it that differ in the number before ".exr" alone.
+  /// Throws Error(FileError): no view layer or several, a pass that is missing (names it), a gap in the numbers, no
+  /// camera.json and not both of Position and Depth.
+  MultilayerSequence(const std::string& path, bool wholeDirectory, int signals);
+
+  std::string name() const override { return m_name; }
+  int width() const override { return m_width; }
+  int height() const override { return m_height; }
+  std::vector<int> frames() const override { return m_frames; }
+  /// Throws Error(InvalidArgument) for a frame that is not there or an image of another size, Error(FileError) for an
+  /// unreadable file or a camera that cannot be found (all surfaces in one plane, or none at all).
+  FrameData read(int frame) const override;
+  std::optional<Reference> reference(int frame) const override;
+
+ private:
+  void openCameras(const std::string& directory);
+  void requirePasses() const;
+  std::string fileOf(int frame) const;
+  bool hasPass(const std::string& pass) const;
+  void requirePass(const std::string& pass) const;
+  Image readPass(int frame, const std::string& pass) const;
+  Image sumOfPasses(int frame, const std::vector<std::string>& passes) const;
+  Image readPositions(int frame, const Matrix4& worldToClip) const;
+  Matrix4 worldToClipOf(int frame) const;
+
+  std::string m_name;
+  std::string m_prefix;  ///< path up to the number
+  int m_digits = 0;      ///< least digits of the number; 0: a name without one
+  std::vector<int> m_frames;
+  std::map<int, Camera> m_cameras;  ///< empty: found from the passes
+  std::vector<std::string> m_channels;
+  std::string m_layer;
+  int m_width = 0;
+  int m_height = 0;
+  int m_signals = 1;
+};
+
+}  // namespace quell::io

@@ -1,0 +1,344 @@
+/* Quell's C99 API: the same denoiser as quell.hpp, for C programs and for languages that call C.
+ *
+ * Functions return a status and write results through pointers; no C++ exception crosses them. A pointer that must
+ * not be NULL gives QUELL_INVALID_ARGUMENT. The text of the latest failure is kept per thread: quellErrorMessage().
+ *
+ * Every struct that may grow begins with structSize. QUELL_INIT(object) sets it and makes all else zero, which means
+ * the default or "absent" everywhere; use it for results, too. A library takes structs of older headers, whose missing
+ * fields count as zero, and of newer ones as long as what it does not know is zero; else QUELL_INVALID_ARGUMENT. It
+ * writes no more than structSize bytes.
+ *
+ * Objects may be used from several threads by turns, not at once; different objects at once. Enumerations are 32-bit
+ * integers, so that their size does not depend on the compiler. */
+#ifndef QUELL_QUELL_H
+#define QUELL_QUELL_H
+
+#include <CL/cl.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define QUELL_INIT(object)                \
+  do {                                    \
+    memset(&(object), 0, sizeof(object)); \
+    (object).structSize = sizeof(object); \
+  } while (0)
+
+/* --- Status and errors ------------------------------------------------------------------------------------------ */
+
+typedef int32_t quell_status;
+enum {
+  QUELL_SUCCESS = 0,
+  QUELL_INVALID_ARGUMENT = 1, /* a value, size, layout or handle was refused before anything was launched */
+  QUELL_UNKNOWN_SETTING = 2,  /* a method or setting name that does not exist */
+  QUELL_OUT_OF_RANGE = 3,     /* a setting, or a camera for half positions, outside its documented range */
+  QUELL_NOT_PREPARED = 4,     /* quellDenoise before quellPrepare, or with a size or layout not prepared */
+  QUELL_WRONG_CONTEXT = 5,    /* a buffer, queue or device that belongs to another OpenCL context */
+  QUELL_BUILD_FAILED = 6,   /* the device's compiler refused a kernel; the error's `got` has the build log */
+  QUELL_DEVICE_ERROR = 7,   /* an OpenCL call failed; the error's `got` names the OpenCL error */
+  QUELL_OUT_OF_MEMORY = 8,  /* host or device memory ran out */
+  QUELL_NO_DEVICE = 9,      /* no OpenCL platform, or no platform with a usable device */
+  QUELL_FILE_ERROR = 10,    /* a file is missing, unreadable, malformed or could not be written */
+  QUELL_INTERNAL_ERROR = 11 /* a defect of Quell; please report it with the message */
+};
+
+/* Where the latest failure on this thread happened and how reality differed from what was expected. Texts are never
+ * NULL and live until the next failure on this thread. */
+typedef struct quell_error {
+  size_t structSize;
+  quell_status status;
+  const char* message;  /* one sentence made of all the others */
+  const char* stage;    /* the stage or function that refused */
+  const char* buffer;   /* the image, setting or argument concerned; may be empty */
+  const char* expected; /* with unit */
+  const char* got;
+} quell_error;
+
+/* The library's version, for example "0.1.0". */
+const char* quellVersion(void);
+/* The name of a status, for example "InvalidArgument"; "Success" for QUELL_SUCCESS. */
+const char* quellStatusName(quell_status status);
+/* The sentence of the latest failure on this thread; empty if there was none. Calls that succeed leave it. */
+const char* quellErrorMessage(void);
+/* The same with all its parts. */
+quell_status quellGetLastError(quell_error* error);
+
+/* --- Devices ---------------------------------------------------------------------------------------------------- */
+
+#define QUELL_TEXT_LENGTH 256 /* of texts in structs, final zero included; longer ones are cut off */
+
+typedef struct quell_device_info {
+  size_t structSize;
+  cl_platform_id platform;
+  cl_device_id device;
+  int index; /* over all platforms, in the order of enumeration */
+  char platformName[QUELL_TEXT_LENGTH];
+  char name[QUELL_TEXT_LENGTH];
+  char vendor[QUELL_TEXT_LENGTH];
+  char version[QUELL_TEXT_LENGTH]; /* OpenCL version text of the device */
+  char driverVersion[QUELL_TEXT_LENGTH];
+  char type[QUELL_TEXT_LENGTH]; /* "GPU", "CPU", "accelerator" or "other" */
+  unsigned computeUnits;
+  size_t localMemoryBytes; /* per work-group */
+  size_t globalMemoryBytes;
+  size_t maxWorkGroup; /* work-items */
+  int images;          /* 0 or 1, as the next two */
+  int halfArithmetic;
+  int profiling;
+} quell_device_info;
+
+/* Devices of all platforms. QUELL_NO_DEVICE if there are none, with a message that says what to install. */
+quell_status quellCountDevices(size_t* count);
+quell_status quellGetDevice(size_t index, quell_device_info* info);
+/* `spec`: NULL or empty (a GPU if there is one, else an accelerator, else a CPU), an index, or part of a device or
+ * platform name. QUELL_NO_DEVICE if none fits. */
+quell_status quellChooseDevice(const char* spec, quell_device_info* info);
+
+/* --- Methods and settings --------------------------------------------------------------------------------------- */
+
+typedef struct quell_method_info {
+  size_t structSize;
+  const char* name; /* texts live as long as the program */
+  const char* summary;
+  size_t settingCount;
+} quell_method_info;
+
+typedef int32_t quell_setting_kind;
+enum {
+  QUELL_SETTING_REAL = 0,
+  QUELL_SETTING_INTEGER = 1,
+  QUELL_SETTING_BOOLEAN = 2,
+  QUELL_SETTING_CHOICE = 3,
+  QUELL_SETTING_TEXT = 4 /* in a form that `description` explains; has no number */
+};
+
+typedef struct quell_setting_info {
+  size_t structSize;
+  const char* name; /* texts live as long as the program */
+  quell_setting_kind kind;
+  double defaultValue; /* of a choice: its index; of a boolean: 0 or 1 */
+  double minimum;
+  double maximum;
+  const char* unit; /* empty: a plain number */
+  const char* description;
+  const char* source;      /* paper and section, or how the default was found */
+  const char* defaultText; /* for QUELL_SETTING_TEXT only, else empty */
+  size_t choiceCount;      /* for QUELL_SETTING_CHOICE only, else 0 */
+  int hasPaperValue;       /* 1 if the method's paper has a value of its own */
+  double paperValue;
+} quell_setting_info;
+
+quell_status quellCountMethods(size_t* count);
+quell_status quellGetMethod(size_t index, quell_method_info* info);
+/* Of setting `index` of a method, from 0 to settingCount - 1. */
+quell_status quellGetSettingInfo(const char* method, size_t index, quell_setting_info* info);
+/* The name of one choice of setting `index`, from 0 to choiceCount - 1. */
+quell_status quellGetSettingChoice(const char* method, size_t index, size_t choice, const char** name);
+
+/* A method and the values of its settings. */
+typedef struct quell_settings quell_settings;
+
+/* The defaults of a method; NULL: of the default method. */
+quell_status quellCreateSettings(const char* method, quell_settings** settings);
+void quellDestroySettings(quell_settings* settings); /* NULL is allowed */
+/* Takes numbers, on/off/true/false for booleans, the names of choices, and texts. QUELL_UNKNOWN_SETTING or
+ * QUELL_OUT_OF_RANGE leave the old value. */
+quell_status quellSetSetting(quell_settings* settings, const char* name, const char* value);
+quell_status quellSetSettingNumber(quell_settings* settings, const char* name, double value);
+/* "default", or "paper" for what the method's paper says where the default is something else. */
+quell_status quellUsePreset(quell_settings* settings, const char* preset);
+/* The value as quellSetSetting takes it; the text lives until the next call for the same object. */
+quell_status quellGetSetting(quell_settings* settings, const char* name, const char** value);
+quell_status quellGetSettingNumber(const quell_settings* settings, const char* name, double* value);
+/* The text lives as long as the settings. */
+quell_status quellGetSettingsMethod(const quell_settings* settings, const char** method);
+
+/* --- Images and cameras ----------------------------------------------------------------------------------------- */
+
+typedef int32_t quell_component_format;
+enum {
+  QUELL_FLOAT32 = 0,
+  QUELL_FLOAT16 = 1, /* IEEE half */
+  QUELL_UINT32 = 2   /* 32-bit unsigned integers, for object ids only */
+};
+
+/* One image within a buffer that the caller owns, row-major, pixel (0, 0) top left; float3, float4, planes and
+ * interleaved structs are all described by the strides. This struct does not grow. */
+typedef struct quell_image_view {
+  cl_mem memory; /* a buffer of the denoiser's context; not retained */
+  quell_component_format format;
+  int channels;            /* components used per pixel, 1 to 4; 0: absent */
+  size_t offsetBytes;      /* of pixel (0, 0); a multiple of the component size */
+  size_t pixelStrideBytes; /* from one pixel to the next; 0: packed */
+  size_t rowPitchBytes;    /* from one row to the next; 0: width times the pixel stride */
+} quell_image_view;
+
+/* This frame's camera and that of the frame before. 4x4 matrices from world to clip space, row-major, for column
+ * vectors, unjittered; NDC x right, y up. The previous one may be anything on the first frame after a reset. Jitter:
+ * sample position minus pixel centre, pixels, x right, y down, in [-1, 1]. This struct does not grow. */
+typedef struct quell_camera {
+  double worldToClip[16];
+  double worldToClipPrev[16];
+  double jitterPx[2];
+  double jitterPxPrev[2];
+} quell_camera;
+
+/* Inputs of one frame, read until the event of quellDenoise has completed. What the images hold (units, ranges, NaN)
+ * is said at quell::Frame in frame.hpp. */
+typedef struct quell_frame {
+  size_t structSize;
+  int width; /* pixels */
+  int height;
+  quell_camera camera;
+  int demodulated; /* 1: light is divided by albedo and gloss colour already */
+  quell_image_view radiance;
+  quell_image_view glossyRadiance; /* optional: a second signal */
+  quell_image_view normalWorld;
+  quell_image_view positionWorld; /* this or viewDepth */
+  quell_image_view viewDepth;
+  quell_image_view albedo; /* this and all below are optional */
+  quell_image_view glossColor;
+  quell_image_view roughness;
+  quell_image_view f0;
+  quell_image_view emission;
+  quell_image_view motion;   /* previous pixel minus this pixel, pixels, x right, y down, without jitter */
+  quell_image_view objectId; /* any number; compared bit by bit */
+} quell_frame;
+
+/* Outputs of one frame, either or both. */
+typedef struct quell_output {
+  size_t structSize;
+  quell_image_view linear;  /* linear radiance before tone map and TAA, 0 to 65504 */
+  quell_image_view display; /* display-encoded (gamma 2.2) after TAA, 0 to 1 */
+} quell_output;
+
+/* A packed image at the start of a buffer; `memory` may be NULL for quellPrepare. */
+static inline quell_image_view quellPackedImage(cl_mem memory, int channels, quell_component_format format) {
+  quell_image_view view;
+  memset(&view, 0, sizeof(view));
+  view.memory = memory;
+  view.format = format;
+  view.channels = channels;
+  return view;
+}
+
+/* --- Denoiser --------------------------------------------------------------------------------------------------- */
+
+typedef int32_t quell_timer_mode;
+enum {
+  QUELL_TIMERS_OFF = 0,
+  QUELL_TIMERS_DEVICE =
+      1,                /* needs CL_QUEUE_PROFILING_ENABLE; falls back to host where events carry no times */
+  QUELL_TIMERS_HOST = 2 /* completion callbacks */
+};
+
+typedef int32_t quell_mapping;
+enum {
+  QUELL_MAPPING_AUTOMATIC = 0, /* wide on CPU devices, narrow elsewhere */
+  QUELL_MAPPING_NARROW = 1,    /* one pixel a work-item */
+  QUELL_MAPPING_WIDE = 2       /* sixteen pixels of a row a work-item */
+};
+
+typedef struct quell_options {
+  size_t structSize;
+  quell_timer_mode timers;
+  quell_mapping mapping;
+  int workGroup[2];           /* of per-pixel kernels, work-items in x and y; 0: chosen */
+  int fitGroup;               /* work-items per block of the fit, a power of two up to 256; 0: chosen */
+  const char* cacheDirectory; /* compiled kernels; NULL: the user's cache directory, "": nowhere */
+} quell_options;
+
+/* Denoises a sequence of frames on one queue. */
+typedef struct quell_denoiser quell_denoiser;
+
+/* The OpenCL handles are retained as long as needed. `settings` NULL: the default method with its defaults;
+ * `options` NULL: defaults. Both are copied. */
+quell_status quellCreateDenoiser(cl_context context, cl_device_id device, cl_command_queue queue,
+                                 const quell_settings* settings, const quell_options* options,
+                                 quell_denoiser** denoiser);
+/* Safe while frames are pending: they run to their end. NULL is allowed. */
+void quellDestroyDenoiser(quell_denoiser* denoiser);
+
+/* Builds all kernels for these layouts, allocates all memory and warms up; blocks. Memory may be NULL here. May be
+ * called again for other sizes or layouts; the history is reset. */
+quell_status quellPrepare(quell_denoiser* denoiser, const quell_frame* frame, const quell_output* output);
+
+/* Enqueues one frame; never builds, allocates device memory, copies through the host or blocks. Work starts when all
+ * of the wait list's events have completed (on an in-order queue also after all earlier commands). `done` receives an
+ * event that the caller releases; NULL if not wanted. waitCount 0: waitList may be NULL. On failure nothing is
+ * written to `done`. */
+quell_status quellDenoise(quell_denoiser* denoiser, const quell_frame* frame, const quell_output* output,
+                          cl_uint waitCount, const cl_event* waitList, cl_event* done);
+
+/* Forgets all earlier frames, as a cut needs it. Does not block. */
+quell_status quellResetHistory(quell_denoiser* denoiser);
+
+/* A copy of the settings that the denoiser was made with; the caller destroys it. */
+quell_status quellGetDenoiserSettings(const quell_denoiser* denoiser, quell_settings** settings);
+
+/* --- Memory and times ------------------------------------------------------------------------------------------- */
+
+typedef struct quell_memory_use {
+  size_t structSize;
+  size_t totalBytes; /* device memory held since quellPrepare; the caller's images not included */
+  size_t bufferCount;
+} quell_memory_use;
+
+typedef struct quell_buffer_use {
+  size_t structSize;
+  const char* name; /* lives until the next quellGetMemoryUse of this denoiser */
+  size_t bytes;
+} quell_buffer_use;
+
+typedef int32_t quell_time_source;
+enum {
+  QUELL_TIME_DEVICE = 0, /* OpenCL event profiling */
+  QUELL_TIME_HOST = 1    /* completion callbacks; includes scheduling delays */
+};
+
+/* Over the latest 4096 frames, milliseconds; all zero if there are none. This struct does not grow. */
+typedef struct quell_time_statistics {
+  size_t count;
+  double medianMs;
+  double meanMs;
+  double minMs;
+  double maxMs;
+} quell_time_statistics;
+
+typedef struct quell_timings {
+  size_t structSize;
+  quell_time_source source;
+  size_t stageCount;           /* 0 if timers are off */
+  quell_time_statistics frame; /* start of the first kernel to end of the last, gaps included */
+} quell_timings;
+
+typedef struct quell_stage_timings {
+  size_t structSize;
+  const char* stage;          /* lives until the next quellGetTimings of this denoiser */
+  quell_time_statistics time; /* sum over the stage's kernels */
+  uint64_t lastQueuedNs;      /* event times of the latest finished frame, device clock; 0 with host times */
+  uint64_t lastSubmitNs;
+  uint64_t lastStartNs; /* of the stage's first kernel */
+  uint64_t lastEndNs;   /* of its last kernel */
+  uint64_t bytesMoved;  /* that the stage must read and write per frame, each counted once */
+} quell_stage_timings;
+
+/* Takes stock; quellGetBufferUse then gives the parts, from 0 to bufferCount - 1. */
+quell_status quellGetMemoryUse(quell_denoiser* denoiser, quell_memory_use* use);
+quell_status quellGetBufferUse(const quell_denoiser* denoiser, size_t index, quell_buffer_use* use);
+
+/* Collects the times of all frames that have finished so far, never waiting for more; quellGetStageTimings then gives
+ * the stages, from 0 to stageCount - 1. */
+quell_status quellGetTimings(quell_denoiser* denoiser, quell_timings* timings);
+quell_status quellGetStageTimings(const quell_denoiser* denoiser, size_t index, quell_stage_timings* timings);
+quell_status quellClearTimings(quell_denoiser* denoiser);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,34 @@
+// Which work-items have nothing but background, so that stages can leave them out. Compiled in with SKIP.
+//
+// `surfaces` has one byte a work-item of the per-pixel kernels, QUELL_LANES pixels of a row: 0 where accumulate_noisy
+// found nothing but background in them. What it writes there is the least that others look at: weight, history length,
+// view depth. Everything else keeps finite values of earlier frames, which count for nothing.
+#ifndef QUELL_COMMON_SURFACES_H
+#define QUELL_COMMON_SURFACES_H
+
+#include "common/lanes.h"
+#include "common/types.h"
+
+// Element of `surfaces` of the work-item at pixel (x, y).
+QUELL_INLINE int surfaceIndex(PlaneParams planes, int x, int y) {
+  return y * ((planes.width + QUELL_LANES - 1) / QUELL_LANES) + x / QUELL_LANES;
+}
+
+QUELL_INLINE int isBackground(__global const uchar* surfaces, PlaneParams planes, int x, int y) {
+  return surfaces[surfaceIndex(planes, x, y)] == 0;
+}
+
+// Whether a work-item with a surface is next to this one: then its 3x3 neighbourhoods reach into this one's pixels.
+QUELL_INLINE int isNearSurface(__global const uchar* surfaces, PlaneParams planes, int x, int y) {
+  int found = 0;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int column = clamp(x + dx * QUELL_LANES, 0, planes.width - 1);
+      const int row = clamp(y + dy, 0, planes.height - 1);
+      found |= surfaces[surfaceIndex(planes, column, row)];
+    }
+  }
+  return found;
+}
+
+#endif

@@ -1,0 +1,31 @@
+#include "tests/cases/change_inputs.hpp"
+
+#include "kernels/accumulate_noisy_params.h"
+#include "tests/cases/filter_inputs.hpp"
+#include "tests/support/random_images.hpp"
+
+namespace quell::tests {
+
+StageSetup makeChangeSetup(const CaseOptions& options, int signals, ChangeSettings settings) {
+  StageSetup setup = makeSetup(options);
+  setFilterMethod(setup, "quell", {signals, false});
+  if (settings == ChangeSettings::Defaults) return setup;
+  setup.settings.set("historyFrames", 6.0);
+  setup.settings.set("stillHistoryFrames", kChangeHistoryFrames);
+  setup.settings.set("momentsLeastWeight", kChangeMomentsLeastWeight);
+  setup.settings.set("mostWeight", kChangeMostWeight);
+  setup.settings.set("changeThreshold", kChangeThreshold);
+  setup.settings.set("changeGain", kChangeGain);
+  setup.settings.set("changeMemory", kChangeMemory);
+  return setup;
+}
+
+Planes randomHistoryLengths(Size size, int signals, unsigned seed) {
+  Random random(seed);
+  Planes lengths(size, signals);
+  for (float& length : lengths.values)
+    length = float(random.integer(0, random.uniform() < 0.1 ? QUELL_MAX_HISTORY_LENGTH : 12));
+  return lengths;
+}
+
+}  // namespace quell::tests

@@ -1,0 +1,54 @@
+#include "tests/cases/change_weight_case.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "tests/support/random_images.hpp"
+
+namespace quell::tests {
+namespace {
+
+double randomCount(Random& random) {
+  const double kind = random.uniform();
+  const int all = QUELL_CHANGE_TILE * QUELL_CHANGE_TILE;
+  return kind < 0.2 ? 0.0 : kind < 0.4 ? random.integer(1, 8) : random.integer(all / 2, 2 * all);
+}
+
+}  // namespace
+
+ChangeWeightCase::ChangeWeightCase(const CaseOptions& options, int signals, ChangeSettings settings)
+    : StageCase("change_weight", makeChangeSetup(options, signals, settings)) {
+  const Settings& used = m_harness.configuration().settings;
+  inputs.size = options.size;
+  inputs.signals = signals;
+  inputs.threshold = used.get("changeThreshold");
+  inputs.gain = used.get("changeGain");
+  inputs.mostWeight = used.get("mostWeight");
+  inputs.sums = Planes({tileCount() * QUELL_CHANGE_RECORD, 1}, 1);
+  Random random(options.seed + 10);
+  for (int tile = 0; tile < tileCount(); ++tile) {
+    const double spread = random.uniform(0.1, 4.0);
+    setTile(tile, randomCount(random), std::sqrt(spread) * std::pow(random.uniform(-1.0, 1.0), 5.0), spread);
+  }
+}
+
+void ChangeWeightCase::setTile(int tile, double count, double mean, double spread) {
+  float* record = &inputs.sums.values[std::size_t(tile) * QUELL_CHANGE_RECORD];
+  record[QUELL_CHANGE_COUNT] = float(count);
+  record[QUELL_CHANGE_SUM] = float(count * mean);
+  record[QUELL_CHANGE_SQUARES] = float(count * (mean * mean + spread));
+}
+
+void ChangeWeightCase::upload() { m_harness.upload("changeSums", inputs.sums); }
+
+Comparison ChangeWeightCase::compare() {
+  Comparison comparison;
+  const Planes device = weights();
+  const ExactPlanes exact = changeWeightOracle(inputs);
+  if (device.values.size() != exact.values.size())
+    comparison.include("number of weights", 0, 0, 0, std::numeric_limits<double>::infinity(), 0.0);
+  comparePixels(comparison, "weight", device, exact);
+  return comparison;
+}
+
+}  // namespace quell::tests

@@ -1,0 +1,27 @@
+#!/bin/sh
+# Installs a build into a prefix, moves it, and builds and runs the programs of this folder against it, with CMake and
+# with pkg-config: run.sh BUILD_DIR WORK_DIR SOURCE_DIR
+set -eu
+prefix=$2/prefix source=$3/tests/embedding
+rm -rf "$2"
+cmake --install "$1" --prefix "$2/installed" >/dev/null
+mv "$2/installed" "$prefix"
+
+build_against_prefix() {
+  cmake -S "$1" -B "$2" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null
+  cmake --build "$2" >/dev/null
+}
+build_against_prefix "$source" "$2/cxx"
+"$2/cxx/first_frame"
+"$2/cxx/queues"
+build_against_prefix "$source/c" "$2/c"
+"$2/c/first_frame"
+
+PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name quell.pc)")
+export PKG_CONFIG_PATH
+# shellcheck disable=SC2046
+${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -DCL_TARGET_OPENCL_VERSION=120 "$source/c/first_frame.c" \
+  -o "$2/first_frame_pkg_config" $(pkg-config --cflags --libs quell)
+"$2/first_frame_pkg_config"
+
+"$prefix/bin/quell" --help >/dev/null

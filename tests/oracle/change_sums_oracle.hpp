@@ -1,0 +1,35 @@
+// Double-precision oracle of the stage change_sums, see kernels/change_sums.cl; and the grid of its tiles.
+#pragma once
+
+#include "kernels/change_params.h"
+#include "tests/support/planes.hpp"
+
+namespace quell::tests {
+
+/// Tiles that cover an image of this size.
+struct TileGrid {
+  explicit TileGrid(Size size);
+  int count() const { return columns * rows; }
+
+  int columns;
+  int rows;
+};
+
+struct ChangeSumsInputs {
+  Planes innovation;     ///< 1 plane a signal
+  Planes historyLength;  ///< 1 plane a signal
+  Planes sumsPrev;       ///< records as the device stores them
+  double sumsKept = 0.0;
+
+  int signals() const { return innovation.count; }
+};
+
+/// Records as the device stores them: signal by signal, row by row, QUELL_CHANGE_RECORD numbers a tile.
+struct ChangeSumsExact {
+  ExactPlanes sums;
+  ExactPlanes magnitudes;  ///< of what was added: rounding errors are relative to that
+};
+
+ChangeSumsExact changeSumsOracle(const ChangeSumsInputs& inputs);
+
+}  // namespace quell::tests

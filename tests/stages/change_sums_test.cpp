@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tests/cases/change_sums_case.hpp"
+#include "tests/support/random_images.hpp"
+#include "tests/support/stage_checks.hpp"
+
+using namespace quell;
+using namespace quell::tests;
+
+namespace {
+
+// The brightest difference, next to nothing, and none.
+constexpr float kExtremes[] = {0.0f, 1e-45f, -1e-38f, 65504.0f, -65504.0f};
+
+CaseMaker maker(int signals) {
+  return [signals](const CaseOptions& options) { return std::make_unique<ChangeSumsCase>(options, signals); };
+}
+
+void fill(Planes& planes, float value) { std::fill(planes.values.begin(), planes.values.end(), value); }
+
+Planes runSums(ChangeSumsCase& sums) {
+  sums.upload();
+  sums.run();
+  return sums.sums();
+}
+
+}  // namespace
+
+TEST_CASE("change_sums agrees with its oracle") { checkLayouts(maker(1), {packed(3)}); }
+
+TEST_CASE("change_sums of two signals agrees with its oracle") { checkSizes(maker(2)); }
+
+TEST_CASE("change_sums does not depend on the work-group") { checkWorkGroups(maker(2), {"changeSums"}); }
+
+TEST_CASE("change_sums of a constant difference are its multiples") {
+  CaseOptions options;
+  options.size = {20, 11};  // the last tiles are 4 pixels wide and 3 high
+  ChangeSumsCase sums(options);
+  fill(sums.inputs.innovation, -0.5f);
+  fill(sums.inputs.historyLength, 2.0f);
+  fill(sums.inputs.sumsPrev, 0.0f);
+  const Planes result = runSums(sums);
+  const float pixels[] = {64.0f, 64.0f, 32.0f, 24.0f, 24.0f, 12.0f};
+  REQUIRE(result.values.size() == std::size(pixels) * QUELL_CHANGE_RECORD);
+  for (int tile = 0; tile < int(std::size(pixels)); ++tile) {
+    const float* record = &result.values[std::size_t(tile) * QUELL_CHANGE_RECORD];
+    CHECK(record[QUELL_CHANGE_COUNT] == pixels[tile]);
+    CHECK(record[QUELL_CHANGE_SUM] == -0.5f * pixels[tile]);
+    CHECK(record[QUELL_CHANGE_SQUARES] == 0.25f * pixels[tile]);
+  }
+}
+
+TEST_CASE("change_sums leave out pixels without history, whatever those hold") {
+  CaseOptions options;
+  ChangeSumsCase sums(options, 2);
+  const Planes expected = runSums(sums);
+  for (std::size_t i = 0; i < sums.inputs.innovation.values.size(); ++i)
+    if (sums.inputs.historyLength.values[i] <= 1.0f) sums.inputs.innovation.values[i] = 65504.0f;
+  CHECK(sameBits(expected, runSums(sums)));
+}
+
+TEST_CASE("change_sums keep a share of the frame before, and nothing after a reset") {
+  CaseOptions options;
+  ChangeSumsCase sums(options);
+  fill(sums.inputs.historyLength, 0.0f);
+  const Planes kept = runSums(sums);
+  for (std::size_t i = 0; i < kept.values.size(); ++i)
+    CHECK(kept.values[i] == Approx(kChangeMemory * sums.inputs.sumsPrev.values[i]).epsilon(1e-6));
+  sums.useFrame(0);
+  for (const float value : runSums(sums).values) CHECK(value == 0.0f);
+}
+
+TEST_CASE("change_sums of the most extreme differences are finite") {
+  CaseOptions options;
+  options.size = {61, 40};
+  ChangeSumsCase sums(options);
+  Random random(5);
+  for (float& value : sums.inputs.innovation.values)
+    value = kExtremes[random.integer(0, int(std::size(kExtremes)) - 1)];
+  checkAgreement(sums, options);
+  CHECK(allFinite(sums.sums()));
+}
