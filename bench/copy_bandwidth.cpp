@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
+#include "bench/timed_run.hpp"
 #include "host/core/cl_error.hpp"
-#include "host/core/frame_timer.hpp"
-#include "host/core/opencl.hpp"
 
 namespace quell {
 namespace {
@@ -23,8 +21,6 @@ constexpr std::size_t kWorkGroup = 256;
 constexpr int kWarmUps = 3;
 constexpr std::size_t kRuns = 30;
 
-using Clock = std::chrono::steady_clock;
-
 // A multiple of the work-group's bytes that the device can allocate twice.
 std::size_t bufferBytes(const cl::Device& device) {
   const std::size_t most = std::min<std::size_t>(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>(),
@@ -39,20 +35,6 @@ cl::Kernel buildCopy(const cl::Context& context, const cl::Device& device) {
   return cl::Kernel(program, "copy");
 }
 
-// Seconds of one run, by events, or by the clock on runtimes whose events carry no times.
-double runOnce(const cl::CommandQueue& queue, const cl::Kernel& kernel, std::size_t items,
-               std::size_t group) {
-  cl::Event event;
-  const auto begin = Clock::now();
-  queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group), nullptr, &event);
-  event.wait();
-  const std::chrono::duration<double> wall = Clock::now() - begin;
-  if (!FrameTimer::hasDeviceTimes(event)) return wall.count();
-  return double(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
-                event.getProfilingInfo<CL_PROFILING_COMMAND_START>()) *
-         1e-9;
-}
-
 CopyBandwidth measure(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue) {
   const std::size_t bytes = bufferBytes(device);
   const cl::Buffer from(context, CL_MEM_READ_WRITE, bytes);
@@ -63,9 +45,9 @@ CopyBandwidth measure(const cl::Context& context, const cl::Device& device, cons
   kernel.setArg(1, to);
   const std::size_t group = std::min(kWorkGroup, kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device));
   const std::size_t items = bytes / kVectorBytes / group * group;
-  for (int i = 0; i < kWarmUps; ++i) runOnce(queue, kernel, items, group);
+  for (int i = 0; i < kWarmUps; ++i) timedRun(queue, kernel, items, group);
   std::array<double, kRuns> seconds;
-  for (double& run : seconds) run = runOnce(queue, kernel, items, group);
+  for (double& run : seconds) run = timedRun(queue, kernel, items, group);
   std::nth_element(seconds.begin(), seconds.begin() + kRuns / 2, seconds.end());
   const double bytesPerSecond = 2.0 * double(items * kVectorBytes) / seconds[kRuns / 2];
   return {bytesPerSecond * 1e-9, kCopyBytes / bytesPerSecond * 1e3};

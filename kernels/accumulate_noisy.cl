@@ -179,6 +179,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
 
   History history[QUELL_SIGNALS];
   intL mask[QUELL_SIGNALS];
+  UNROLL_ON_GPU
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     history[s] = emptyHistory();
     mask[s] = inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0);
@@ -186,6 +187,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
   const intL wanted = inside && surface.valid;
   Turn turn = beginTurn(params.reprojection, planes, surface, xPrev, yPrev);
   if (anyLane(wanted)) {
+    UNROLL_ON_GPU
     for (int i = 0; i < 4; ++i) {
       const int offset = tapOffset(planes, i);
       const float3L positionPrev =
@@ -196,6 +198,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
                         sameHistory(params.reprojection, surface, objectId, positionPrev, normalPrev,
                                     objectIdsPrev + offset, taps.plan, limitSquared);
       turn = addNormal(turn, same ? taps.weight[i] : ZERO_LANES, normalPrev);
+      UNROLL_ON_GPU
       for (int s = 0; s < QUELL_SIGNALS; ++s) {
         const floatL weightPrev =
             gatherLanes(guidesPrev + (QUELL_GUIDE_WEIGHT + s) * stride + offset, taps.plan);
@@ -214,6 +217,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
   // What does not move on the screen is not blurred by resampling, however old.
   const intL still = xPrev == TO_FLOAT(x + LANE_INDEX) && yPrev == (floatL)((float)y);
   const intL mostFrames = still ? (intL)(params.mostFramesStill) : (intL)(params.mostFrames);
+  UNROLL_ON_GPU
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL weight =
         storeBlended(normaliseHistory(history[s]), turn, makeSample(material.signals[s], surface.valid),

@@ -40,6 +40,7 @@ typedef struct Range {
 } Range;
 
 QUELL_INLINE void loadRange(__global const float* tiles, int tileStride, intL tile, Range* range) {
+  UNROLL_ON_GPU
   for (int k = 0; k < QUELL_SCALED; ++k) {
     range->low[k] = tileValue(tiles, tileStride, QUELL_GRAM_LOW + k, tile);
     range->high[k] = tileValue(tiles, tileStride, QUELL_GRAM_HIGH + k, tile);
@@ -57,11 +58,13 @@ QUELL_INLINE void loadRange(__global const float* tiles, int tileStride, intL ti
   {                                                                          \
     const floatL r = window->scale[v] / own.scale[v];                        \
     const floatL t = (own.anchor[v] - window->anchor[v]) * window->scale[v]; \
+    UNROLL_ON_GPU                                                            \
     for (int k = 0; k < QUELL_GRAM_COLUMNS; ++k) {                           \
       floatL* line = g[k];                                                   \
       const int stride = 1;                                                  \
       steps                                                                  \
     }                                                                        \
+    UNROLL_ON_GPU                                                            \
     for (int k = 0; k < QUELL_GRAM_COLUMNS; ++k) {                           \
       floatL* line = &g[0][k];                                               \
       const int stride = QUELL_GRAM_COLUMNS;                                 \
@@ -84,42 +87,65 @@ QUELL_INLINE void loadRange(__global const float* tiles, int tileStride, intL ti
 #endif
 #endif
 
+#if GRAM_OVERLAP
+typedef struct Neighbour {
+  intL tile;  // some tile where it lies outside
+  intL inside;
+} Neighbour;
+
+QUELL_INLINE Neighbour neighbourOf(GramParams params, intL tileX, intL tileY, int n) {
+  const intL x = tileX + (n % 3 - 1);
+  const intL y = tileY + (n / 3 - 1);
+  Neighbour neighbour;
+  neighbour.inside = x >= 0 && x < params.tilesX && y >= 0 && y < params.tilesY;
+  neighbour.tile = neighbour.inside ? y * params.tilesX + x : (intL)(0);
+  return neighbour;
+}
+#endif
+
 // The window's sums in its own scaling; out-of-grid neighbours are left out.
 QUELL_INLINE void gatherWindow(__global const float* tiles, GramParams params, intL tileX, intL tileY,
                                Range* window, floatL* sums) {
 #if GRAM_OVERLAP
-  intL tile[NEIGHBOURS], inside[NEIGHBOURS];
-  Range range[NEIGHBOURS];
+  UNROLL_ON_GPU
   for (int k = 0; k < QUELL_SCALED; ++k) {
     window->low[k] = (floatL)(NO_POSITION);
     window->high[k] = (floatL)(-NO_POSITION);
   }
+#pragma unroll 1
   for (int n = 0; n < NEIGHBOURS; ++n) {
-    const intL x = tileX + (n % 3 - 1);
-    const intL y = tileY + (n / 3 - 1);
-    inside[n] = x >= 0 && x < params.tilesX && y >= 0 && y < params.tilesY;
-    tile[n] = inside[n] ? y * params.tilesX + x : (intL)(0);
-    loadRange(tiles, params.tileStride, tile[n], &range[n]);
+    const Neighbour neighbour = neighbourOf(params, tileX, tileY, n);
+    Range own;
+    loadRange(tiles, params.tileStride, neighbour.tile, &own);
+    UNROLL_ON_GPU
     for (int k = 0; k < QUELL_SCALED; ++k) {
-      window->low[k] = inside[n] ? minLanes(window->low[k], range[n].low[k]) : window->low[k];
-      window->high[k] = inside[n] ? maxLanes(window->high[k], range[n].high[k]) : window->high[k];
+      window->low[k] = neighbour.inside ? minLanes(window->low[k], own.low[k]) : window->low[k];
+      window->high[k] = neighbour.inside ? maxLanes(window->high[k], own.high[k]) : window->high[k];
     }
   }
   scaleRangesLanes(window->low, window->high, window->anchor, window->scale);
+  UNROLL_ON_GPU
   for (int k = 0; k < QUELL_GRAM_SUMS; ++k) sums[k] = ZERO_LANES;
+#pragma unroll 1
   for (int n = 0; n < NEIGHBOURS; ++n) {
+    const Neighbour neighbour = neighbourOf(params, tileX, tileY, n);
     const float tent = (n % 3 == 1 ? 1.0f : 0.5f) * (n / 3 == 1 ? 1.0f : 0.5f);
     floatL g[QUELL_GRAM_COLUMNS][QUELL_GRAM_COLUMNS];
+    UNROLL_ON_GPU
     for (int a = 0; a < QUELL_GRAM_COLUMNS; ++a) {
+      UNROLL_ON_GPU
       for (int b = a; b < QUELL_GRAM_COLUMNS; ++b) {
-        g[a][b] = tileValue(tiles, params.tileStride, QUELL_GRAM_INDEX(a, b), tile[n]);
+        g[a][b] = tileValue(tiles, params.tileStride, QUELL_GRAM_INDEX(a, b), neighbour.tile);
         g[b][a] = g[a][b];
       }
     }
-    const Range own = range[n];
+    Range own;  // loaded again: nine of them would not fit into a GPU's registers
+    loadRange(tiles, params.tileStride, neighbour.tile, &own);
     QUELL_RESCALE_LIST
-    const intL counts = inside[n] && g[0][0] > 0.0f;
+    const intL counts = neighbour.inside && g[0][0] > 0.0f;
+    UNROLL_ON_GPU
     for (int a = 0; a < QUELL_GRAM_COLUMNS; ++a) {
+      UNROLL_ON_GPU
       for (int b = a; b < QUELL_GRAM_COLUMNS; ++b)
         sums[QUELL_GRAM_INDEX(a, b)] += counts ? tent * g[a][b] : ZERO_LANES;
     }
@@ -127,6 +153,7 @@ QUELL_INLINE void gatherWindow(__global const float* tiles, GramParams params, i
 #else
   const intL tile = tileY * params.tilesX + tileX;
   loadRange(tiles, params.tileStride, tile, window);
+  UNROLL_ON_GPU
   for (int k = 0; k < QUELL_GRAM_SUMS; ++k) sums[k] = tileValue(tiles, params.tileStride, k, tile);
 #endif
 }
@@ -137,10 +164,12 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
   const floatL weight = sums[QUELL_GRAM_INDEX(0, 0)];
   const floatL inverseWeight = 1.0f / (weight > 0.0f ? weight : ONE_LANES);
   floatL mean[QUELL_GRAM_COLUMNS];
+  UNROLL_ON_GPU
   for (int k = 1; k < QUELL_GRAM_COLUMNS; ++k) mean[k] = sums[QUELL_GRAM_INDEX(0, k)] * inverseWeight;
 
   // Centred, regularised and normalised: the diagonal becomes 1, or the feature is dropped (0).
   floatL inverseDeviation[VARIED_ROOM];
+  UNROLL_ON_GPU
   for (int j = 0; j < VARIED; ++j) {
     const floatL square = sums[QUELL_GRAM_INDEX(j + 1, j + 1)];
     const floatL variance = square - sums[QUELL_GRAM_INDEX(0, j + 1)] * mean[j + 1];
@@ -152,13 +181,16 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
   }
   floatL factor[LOWER(VARIED_ROOM, 0)];
   floatL right[VARIED_ROOM][QUELL_FIT_CHANNELS];
+  UNROLL_ON_GPU
   for (int i = 0; i < VARIED; ++i) {
+    UNROLL_ON_GPU
     for (int j = 0; j < i; ++j) {
       const floatL covariance =
           sums[QUELL_GRAM_INDEX(j + 1, i + 1)] - sums[QUELL_GRAM_INDEX(0, i + 1)] * mean[j + 1];
       factor[LOWER(i, j)] = covariance * inverseDeviation[i] * inverseDeviation[j];
     }
     factor[LOWER(i, i)] = inverseDeviation[i] > 0.0f ? ONE_LANES : ZERO_LANES;
+    UNROLL_ON_GPU
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c) {
       const int column = QUELL_GRAM_FEATURES + c;
       right[i][c] =
@@ -168,32 +200,42 @@ QUELL_INLINE void solveWindow(const floatL* sums, float noiseVariance,
   }
 
   // Cholesky; the diagonal keeps the inverse of the factor's, 0 for a dropped feature.
+  UNROLL_ON_GPU
   for (int j = 0; j < VARIED; ++j) {
     floatL pivot = factor[LOWER(j, j)];
+    UNROLL_ON_GPU
     for (int k = 0; k < j; ++k) pivot -= factor[LOWER(j, k)] * factor[LOWER(j, k)];
     const intL keep = pivot > QUELL_GRAM_PIVOT_TOLERANCE;
     const floatL inverse = keep ? 1.0f / SQRT(keep ? pivot : ONE_LANES) : ZERO_LANES;
     factor[LOWER(j, j)] = inverse;
+    UNROLL_ON_GPU
     for (int i = j + 1; i < VARIED; ++i) {
       floatL sum = factor[LOWER(i, j)];
+      UNROLL_ON_GPU
       for (int k = 0; k < j; ++k) sum -= factor[LOWER(i, k)] * factor[LOWER(j, k)];
       factor[LOWER(i, j)] = sum * inverse;
     }
   }
 
+  UNROLL_ON_GPU
   for (int c = 0; c < QUELL_FIT_CHANNELS; ++c) {
     floatL solution[VARIED_ROOM];
+    UNROLL_ON_GPU
     for (int i = 0; i < VARIED; ++i) {
       floatL sum = right[i][c];
+      UNROLL_ON_GPU
       for (int k = 0; k < i; ++k) sum -= factor[LOWER(i, k)] * solution[k];
       solution[i] = sum * factor[LOWER(i, i)];
     }
+    UNROLL_ON_GPU
     for (int i = VARIED - 1; i >= 0; --i) {
       floatL sum = solution[i];
+      UNROLL_ON_GPU
       for (int k = i + 1; k < VARIED; ++k) sum -= factor[LOWER(k, i)] * solution[k];
       solution[i] = sum * factor[LOWER(i, i)];
     }
     floatL intercept = mean[QUELL_GRAM_FEATURES + c];
+    UNROLL_ON_GPU
     for (int i = 0; i < VARIED; ++i) {
       coefficients[i + 1][c] = solution[i] * inverseDeviation[i];
       intercept -= coefficients[i + 1][c] * mean[i + 1];
@@ -223,10 +265,12 @@ __kernel void gram_solve(__global const float* tiles, __global float* records, G
   const intL hasSamples = sums[QUELL_GRAM_INDEX(0, 0)] > 0.0f;
   for (int lane = 0; lane < min(QUELL_LANES, count - first); ++lane) {
     __global float* record = records + (first + lane) * QUELL_FIT_RECORD;
-    for (int j = 0; j < QUELL_FEATURES; ++j)
-      for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
-        storeLane(record, j * QUELL_FIT_CHANNELS + c, coefficients[j][c], lane);
+    UNROLL_ON_GPU
+    for (int j = 0; j < QUELL_FEATURES; ++j) UNROLL_ON_GPU
+    for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
+      storeLane(record, j * QUELL_FIT_CHANNELS + c, coefficients[j][c], lane);
     storeLane(record, QUELL_FIT_USABLE, hasSamples ? ONE_LANES : ZERO_LANES, lane);
+    UNROLL_ON_GPU
     for (int k = 0; k < QUELL_SCALED; ++k) {
       storeLane(record, QUELL_FIT_ANCHOR + k, range.anchor[k], lane);
       storeLane(record, QUELL_FIT_SCALE + k, range.scale[k], lane);

@@ -261,9 +261,12 @@ __kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_
     barrier(CLK_LOCAL_MEM_FENCE);
     float stagedSums[ITEM_SUMS];
     for (int k = 0; k < ITEM_SUMS; ++k) stagedSums[k] = 0.0f;
+      // Unrolled further, loads are moved ahead until registers run out: 256 of them and spills on GCN instead of 25.
+#pragma unroll 1
     for (int run = 0; run < STAGED_PIXELS; run += RUN_PIXELS) {
       float runSums[ITEM_SUMS];
       for (int k = 0; k < ITEM_SUMS; ++k) runSums[k] = 0.0f;
+#pragma unroll 4
       for (int pixel = run; pixel < run + RUN_PIXELS; ++pixel) {
         for (int k = 0; k < ITEM_SUMS; ++k)
           runSums[k] += staged[pixel * QUELL_GRAM_COLUMNS + columnA[k]] *

@@ -2,14 +2,18 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <quell/quell.hpp>
 #include <string>
 #include <vector>
 
+#include "host/cli/bench_compare.hpp"
+#include "host/cli/bench_html.hpp"
 #include "host/cli/bench_plan.hpp"
 #include "host/cli/bench_report.hpp"
 #include "host/cli/bench_runner.hpp"
+#include "host/cli/bench_sweeps.hpp"
 #include "host/cli/command_arguments.hpp"
 #include "host/cli/commands.hpp"
 #include "host/io/atomic_file.hpp"
@@ -20,37 +24,82 @@ namespace {
 // Settings varied so often that they have an option of their own.
 constexpr const char* kShorthands[] = {"solver", "windows", "features"};
 constexpr char kSeparator = ',';
+// Making up a frame of 3840x2160 takes longer than to denoise it.
+constexpr int kSizeSweepFrames = 4;
 
-struct BenchOptions {
+struct BenchArguments {
   std::vector<std::string> methods = methodNames();
   std::vector<Variation> shorthands;  // one for each of kShorthands, without values unless given
   std::vector<std::string> variations;
+  std::vector<std::string> sweeps;
   InputArguments input;
-  DeviceArguments device;
-  int repeat = 3;
+  BenchOptions options;
+  std::string operations;
   std::string json;
   std::string csv;
+  std::string html;
+  std::string compare;
 };
 
-std::vector<Variation> allVariations(const BenchOptions& options) {
+std::vector<Variation> allVariations(const BenchArguments& arguments) {
   std::vector<Variation> all;
-  for (const Variation& variation : options.shorthands)
+  for (const Variation& variation : arguments.shorthands)
     if (!variation.values.empty()) all.push_back(variation);
-  for (const std::string& text : options.variations) all.push_back(parseVariation(text));
+  for (const std::string& text : arguments.variations) all.push_back(parseVariation(text));
   return all;
 }
 
-void runBenchCommand(const BenchOptions& options) {
-  const std::vector<PlannedRun> runs = planRuns(options.methods, allVariations(options));
-  const std::vector<BenchInput> inputs = openInputs(options.input);
-  const BenchResult result = runBench(runs, inputs, options.repeat, options.device);
-  print(result);
-  std::fflush(stdout);  // the files may go to the same place
-  if (!options.json.empty()) io::writeTextFile(options.json, toJson(result).dump(2) + "\n");
-  if (!options.csv.empty()) io::writeTextFile(options.csv, toCsv(result));
+// A sweep runs on the first input, or on sizes of its own.
+BenchGroup planSweepGroup(const std::string& name, const BenchArguments& arguments) {
+  InputArguments input = arguments.input;
+  const std::vector<std::string> sizes = sweepSizes(name);
+  if (!sizes.empty()) {
+    input.directories.clear();
+    input.sizes = sizes;
+    input.signals = 1;
+    input.mostFrames = kSizeSweepFrames;
+  } else if (!input.directories.empty()) {
+    input.directories.resize(1);
+    input.sizes.clear();
+  }
+  return {planSweep(name, arguments.methods), openInputs(input)};
 }
 
-void addPlanOptions(CLI::App& command, BenchOptions& options) {
+std::vector<BenchGroup> planGroups(const BenchArguments& arguments) {
+  std::vector<BenchGroup> groups;
+  groups.push_back({planRuns(arguments.methods, allVariations(arguments)), openInputs(arguments.input)});
+  for (const std::string& sweep : arguments.sweeps) groups.push_back(planSweepGroup(sweep, arguments));
+  return groups;
+}
+
+void writeHtml(const BenchResult& result, const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    throw Error(ErrorCode::FileError, {"bench", directory, "a directory that can be made", error.message()});
+  io::writeTextFile(directory + "/index.html", toHtml(result));
+}
+
+void runBenchCommand(const BenchArguments& arguments) {
+  // Read first: nobody should wait for a benchmark to learn of a wrong file name.
+  nlohmann::json before;
+  if (!arguments.compare.empty()) before = readBench(arguments.compare);
+  OperationCounts operations;
+  if (!arguments.operations.empty()) operations = OperationCounts(arguments.operations);
+  const std::vector<BenchGroup> groups = planGroups(arguments);
+  BenchResult result = runBench(groups, arguments.options);
+  result.operations = operations;
+  print(result);
+  std::fflush(stdout);  // the files may go to the same place
+  if (!arguments.json.empty()) io::writeTextFile(arguments.json, toJson(result).dump(2) + "\n");
+  if (!arguments.csv.empty()) io::writeTextFile(arguments.csv, toCsv(result));
+  if (!arguments.html.empty()) writeHtml(result, arguments.html);
+  if (!arguments.compare.empty())
+    fmt::print("\ncompared with {}:\n{}", arguments.compare,
+               compareBench(before, toJson(result), arguments.compare));
+}
+
+void addPlanOptions(CLI::App& command, BenchArguments& options) {
   command.add_option("--methods", options.methods, "Methods to run")
       ->delimiter(kSeparator)
       ->capture_default_str();
@@ -66,6 +115,28 @@ void addPlanOptions(CLI::App& command, BenchOptions& options) {
                      "A setting and its values, name=value,value (texts: separated by semicolons); may be "
                      "repeated: all combinations are run, "
                      "save those that the library refuses. A method without the setting ignores it");
+  command
+      .add_option("--sweep", options.sweeps,
+                  "Also run named series: " + fmt::format("{}", fmt::join(sweepNames(), ", ")))
+      ->delimiter(kSeparator)
+      ->check(CLI::IsMember(sweepNames()));
+}
+
+void addReportOptions(CLI::App& command, BenchArguments& arguments) {
+  BenchOptions& options = arguments.options;
+  command.add_flag(
+      "--roofline", options.fmaRate,
+      "Also measure the rate of multiply-adds and report what memory and arithmetic allow at best");
+  command.add_option("--operations", arguments.operations,
+                     "Operations per pixel of the stages, for --roofline; from bench/count_operations");
+  command.add_flag("--build-times", options.buildTimes, "Also measure how long kernels take to build");
+  command.add_option("--pictures", options.pictureInputs, "Sequences whose pictures go into the page")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--json", arguments.json, "File for all results as JSON");
+  command.add_option("--csv", arguments.csv, "File for all results as a table");
+  command.add_option("--html", arguments.html, "Directory for a page with charts, pictures and all results");
+  command.add_option("--compare", arguments.compare, "Earlier results (JSON): print what has changed since");
 }
 
 void addInputOptions(CLI::App& command, InputArguments& input) {
@@ -86,19 +157,22 @@ void addInputOptions(CLI::App& command, InputArguments& input) {
 }  // namespace
 
 void addBenchCommand(CLI::App& app) {
-  auto options = std::make_shared<BenchOptions>();
+  auto arguments = std::make_shared<BenchArguments>();
+  arguments->options.rounds = 3;
+  arguments->options.pictureInputs = 1;
   CLI::App* command =
       app.add_subcommand("bench", "Compare methods and settings: stage times, memory, errors");
-  addPlanOptions(*command, *options);
-  addInputOptions(*command, options->input);
-  command->add_option("--repeat", options->repeat, "Timed rounds over every sequence, after a warm-up round")
+  addPlanOptions(*command, *arguments);
+  addInputOptions(*command, arguments->input);
+  command
+      ->add_option("--repeat", arguments->options.rounds,
+                   "Timed rounds over every sequence, after a warm-up round")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  addDeviceArguments(*command, options->device);
-  command->add_option("--json", options->json, "File for all results as JSON");
-  command->add_option("--csv", options->csv, "File for all results as a table");
+  addDeviceArguments(*command, arguments->options.device);
+  addReportOptions(*command, *arguments);
   command->footer(settingsHelp("--vary"));
-  command->callback([options] { runBenchCommand(*options); });
+  command->callback([arguments] { runBenchCommand(*arguments); });
 }
 
 }  // namespace quell::cli

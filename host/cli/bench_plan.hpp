@@ -27,6 +27,7 @@ Variation parseVariation(const std::string& text);
 struct PlannedRun {
   std::string method;
   std::vector<std::pair<std::string, std::string>> assignments;  ///< name and value
+  std::string sweep = {};  ///< the named sweep that it belongs to, if any
 
   std::string settingsText() const;  ///< "solver=gram windows=overlap"; empty for defaults
   std::string name() const;          ///< the method, followed by settingsText()
@@ -45,6 +46,12 @@ std::vector<PlannedRun> planRuns(const std::vector<std::string>& methods,
 struct BenchInput {
   std::unique_ptr<io::FrameSequence> sequence;
   std::vector<int> frames;  ///< at least one
+};
+
+/// Runs that are compared with each other, on sequences of their own.
+struct BenchGroup {
+  std::vector<PlannedRun> runs;
+  std::vector<BenchInput> inputs;
 };
 
 /// What to open. With neither directories nor sizes: the built-in sequence at 1280x720.

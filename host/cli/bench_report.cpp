@@ -17,21 +17,79 @@ constexpr double kMegapixel = 1e6;
 
 constexpr char kCsvHeader[] =
     "input,method,settings,width,height,frames,repeat,memory_bytes,kind,name,time_source,median_ms,min_ms,"
-    "max_ms,bytes,gbs,copies,copy_share,rmse,unbiased_rmse,psnr,ssim,flip,relmse\n";
+    "max_ms,bytes,gbs,copies,copy_share,rmse,unbiased_rmse,psnr,ssim,flip,relmse,label,skipped_share,"
+    "operations,"
+    "bound_ms,sweep,temporal_error,build_cold_ms,build_cached_ms\n";
 constexpr char kNoTimes[] = ",,,,,,,,";
 constexpr char kNoErrors[] = ",,,,,,";
+constexpr char kNoStage[] = ",,,,";
 
-json runJson(const BenchRun& run, const CopyBandwidth& copy) {
-  json result = toJson(run.report);
-  result["input"] = run.input;
-  const std::vector<StageTimings>& stages = run.report.timings->stages;
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    const double gbs = gigabytesPerSecond(stages[i].bytesMoved, stages[i].time);
-    result["stages"][i]["gbs"] = gbs;
-    result["stages"][i]["copies"] = stages[i].time.medianMs / copy.copyMs;
-    result["stages"][i]["copy_share"] = gbs / copy.gigabytesPerSecond;
+double operationsOf(const BenchRun& run, const StageTimings& stage, const BenchResult& result) {
+  return result.operations.perPixel(run.plan, stage.label) * double(run.report.size.width) *
+         double(run.report.size.height);
+}
+
+double boundMs(const BenchRun& run, const StageTimings& stage, const BenchResult& result) {
+  return rooflineMs(double(stage.bytesMoved), operationsOf(run, stage, result),
+                    result.copy.gigabytesPerSecond, result.fmaGigaflops);
+}
+
+double medianOf(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+// Medians over the frames of each round.
+json roundMedians(const BenchRun& run) {
+  json medians = json::array();
+  for (const std::vector<double>& round : run.frameMs)
+    if (!round.empty()) medians.push_back(medianOf(round));
+  return medians;
+}
+
+// Medians over the rounds of each frame.
+json frameMedians(const BenchRun& run) {
+  json medians = json::array();
+  const std::size_t frames = run.frameMs.empty() ? 0 : run.frameMs.front().size();
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    std::vector<double> rounds;
+    for (const std::vector<double>& round : run.frameMs) rounds.push_back(round[frame]);
+    medians.push_back(medianOf(rounds));
   }
-  return result;
+  return medians;
+}
+
+json assignmentsJson(const PlannedRun& plan) {
+  json assignments = json::object();
+  for (const auto& [setting, value] : plan.assignments) assignments[setting] = value;
+  return assignments;
+}
+
+void addStageFigures(json& stageJson, const BenchRun& run, const StageTimings& stage,
+                     const BenchResult& result) {
+  const double gbs = gigabytesPerSecond(stage.bytesMoved, stage.time);
+  stageJson["gbs"] = gbs;
+  stageJson["copies"] = stage.time.medianMs / result.copy.copyMs;
+  stageJson["copy_share"] = gbs / result.copy.gigabytesPerSecond;
+  stageJson["bound_ms"] = boundMs(run, stage, result);
+  if (const double operations = operationsOf(run, stage, result); operations > 0.0)
+    stageJson["operations"] = operations;
+}
+
+json runJson(const BenchRun& run, const BenchResult& result) {
+  json object = toJson(run.report);
+  object["input"] = run.input;
+  object["run"] = run.plan.name();
+  object["assignments"] = assignmentsJson(run.plan);
+  if (!run.plan.sweep.empty()) object["sweep"] = run.plan.sweep;
+  if (run.build) object["build_ms"] = {{"cold", run.build->coldMs}, {"cached", run.build->cachedMs}};
+  object["round_medians_ms"] = roundMedians(run);
+  object["frame_medians_ms"] = frameMedians(run);
+  const std::vector<StageTimings>& stages = run.report.timings->stages;
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    addStageFigures(object["stages"][i], run, stages[i], result);
+  return object;
 }
 
 std::string csvCell(const std::string& text) {
@@ -69,23 +127,40 @@ std::string csvErrors(const metrics::ErrorFigures& figures) {
                      csvNumber(figures.relMse));
 }
 
+// The cells from `label` to `bound_ms`, each after its comma.
+std::string csvStage(const BenchRun& run, const StageTimings& stage, const BenchResult& result) {
+  const double operations = operationsOf(run, stage, result);
+  return fmt::format(",{},{},{},{:.6g}", csvCell(stage.label), csvNumber(stage.skippedShare),
+                     operations > 0.0 ? csvNumber(operations) : "", boundMs(run, stage, result));
+}
+
+// The cells from `sweep` to `build_cached_ms`, each after its comma.
+std::string csvEnd(const BenchRun& run) {
+  const auto build = [&](double BuildTimes::*time) {
+    return run.build ? fmt::format("{:.6g}", *run.build.*time) : std::string();
+  };
+  return fmt::format(",{},{},{},{}", run.plan.sweep, csvNumber(run.report.temporalError),
+                     build(&BuildTimes::coldMs), build(&BuildTimes::cachedMs));
+}
+
 std::string csvLines(const BenchRun& run, const BenchResult& result) {
-  const std::string start = csvRun(run, result.rounds);
+  const std::string start = csvRun(run, result.rounds), end = csvEnd(run);
   const Timings& timings = *run.report.timings;
   std::string lines;
   const auto addTimes = [&](const char* kind, const std::string& name, const TimeStatistics& time,
-                            std::uint64_t bytes) {
-    lines += fmt::format("{},{},{}{}{}\n", start, kind, name,
-                         csvTimes(time, bytes, timings.source, result.copy), kNoErrors);
+                            std::uint64_t bytes, const std::string& stage) {
+    lines += fmt::format("{},{},{}{}{}{}{}\n", start, kind, name,
+                         csvTimes(time, bytes, timings.source, result.copy), kNoErrors, stage, end);
   };
   const auto addErrors = [&](const char* image, int frame, const metrics::ErrorFigures& figures) {
-    lines += fmt::format("{},error,frame {} {}{}{}\n", start, frame, image, kNoTimes, csvErrors(figures));
+    lines += fmt::format("{},error,frame {} {}{}{}{}{}\n", start, frame, image, kNoTimes, csvErrors(figures),
+                         kNoStage, end);
   };
   for (const StageTimings& stage : timings.stages)
-    addTimes("stage", stage.stage, stage.time, stage.bytesMoved);
+    addTimes("stage", stage.stage, stage.time, stage.bytesMoved, csvStage(run, stage, result));
   const StageTimings sum = sumOfStages(timings);
-  addTimes("sum", sum.stage, sum.time, sum.bytesMoved);
-  addTimes("frame", "frame", timings.frame, sum.bytesMoved);
+  addTimes("sum", sum.stage, sum.time, sum.bytesMoved, kNoStage);
+  addTimes("frame", "frame", timings.frame, sum.bytesMoved, kNoStage);
   for (const FrameErrors& errors : run.report.errors) {
     addErrors("noisy", errors.frame, errors.noisy);
     addErrors("linear", errors.frame, errors.linear);
@@ -139,24 +214,44 @@ void printCopies(const BenchResult& result) {
              least->copyMs, most->copyMs);
 }
 
+void printRoofline(const BenchRun& run, const BenchResult& result) {
+  fmt::print("  {:<32}{:>9}{:>9}{:>9}{:>9}\n", "roofline", "ms", "bound ms", "of bound", "flop/B");
+  for (const StageTimings& stage : run.report.timings->stages) {
+    const double bound = boundMs(run, stage, result);
+    const double operations = operationsOf(run, stage, result);
+    fmt::print("  {:<32}{:>9.2f}{:>9.2f}{:>7.0f} %{:>9}\n", stage.label, stage.time.medianMs, bound,
+               stage.time.medianMs > 0.0 ? 100.0 * bound / stage.time.medianMs : 0.0,
+               operations > 0.0 && stage.bytesMoved > 0
+                   ? fmt::format("{:.1f}", operations / double(stage.bytesMoved))
+                   : "-");
+  }
+}
+
+void printBuild(const BuildTimes& build) {
+  fmt::print("  ready after {:.0f} ms with all kernels unknown, {:.0f} ms with kernels from the cache\n",
+             build.coldMs, build.cachedMs);
+}
+
 }  // namespace
 
 json toJson(const BenchResult& result) {
   json measured = json::array(), runs = json::array(), skipped = json::array();
   for (const CopyBandwidth& copy : result.copyMeasurements) measured.push_back(copy.gigabytesPerSecond);
-  for (const BenchRun& run : result.runs) runs.push_back(runJson(run, result.copy));
+  for (const BenchRun& run : result.runs) runs.push_back(runJson(run, result));
   for (const SkippedRun& run : result.skipped)
     skipped.push_back({{"input", run.input},
                        {"width", run.size.width},
                        {"height", run.size.height},
                        {"run", run.plan.name()},
                        {"reason", run.reason}});
-  return {{"copy_ms", result.copy.copyMs},
-          {"copy_gbs", result.copy.gigabytesPerSecond},
-          {"copy_gbs_measured", measured},
-          {"repeat", result.rounds},
-          {"runs", runs},
-          {"skipped", skipped}};
+  json all = {{"copy_ms", result.copy.copyMs},
+              {"copy_gbs", result.copy.gigabytesPerSecond},
+              {"copy_gbs_measured", measured},
+              {"repeat", result.rounds},
+              {"runs", runs},
+              {"skipped", skipped}};
+  if (result.fmaGigaflops > 0.0) all["fma_gflops"] = result.fmaGigaflops;
+  return all;
 }
 
 std::string toCsv(const BenchResult& result) {
@@ -169,8 +264,11 @@ void print(const BenchResult& result) {
   for (const BenchRun& run : result.runs) {
     fmt::print("\n{} on {}\n", run.plan.name(), run.input);
     print(run.report);
+    if (run.build) printBuild(*run.build);
+    if (result.fmaGigaflops > 0.0) printRoofline(run, result);
   }
   printCopies(result);
+  if (result.fmaGigaflops > 0.0) fmt::print("multiply-adds: {:.1f} GFLOP/s\n", result.fmaGigaflops);
   printSummary(result);
 }
 

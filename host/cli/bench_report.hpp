@@ -8,9 +8,11 @@
 
 namespace quell::cli {
 
-/// {copy_ms, copy_gbs, copy_gbs_measured: [...], repeat, runs: [...], skipped: [...]}. A run is the object
-/// that `quell denoise --json` writes, with `input` added to it and `gbs`, `copies` and `copy_share` to each
-/// of its stages.
+/// {copy_ms, copy_gbs, copy_gbs_measured: [...], fma_gflops, repeat, runs: [...], skipped: [...]}. A run is the object
+/// that `quell denoise --json` writes, with these added: `input`, `run` (its name), `assignments`, `sweep`, `build_ms`
+/// {cold, cached}, `round_medians_ms` and `frame_medians_ms` (of the frame times), and to each of its stages `gbs`,
+/// `copies`, `copy_share`, `bound_ms` (roofline) and `operations` (floating-point, per frame). What was not asked for
+/// is absent.
 nlohmann::json toJson(const BenchResult& result);
 
 /// One line for every stage of every run, for their sum, for the frame with the gaps between stages, and for

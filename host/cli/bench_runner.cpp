@@ -7,8 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "bench/fma_rate.hpp"
 #include "host/cli/denoise_session.hpp"
 #include "host/cli/progress.hpp"
+#include "host/metrics/display_encoding.hpp"
 
 namespace quell::cli {
 namespace {
@@ -50,6 +52,37 @@ std::vector<ActiveRun> openRuns(const std::vector<PlannedRun>& plans, const Benc
   return active;
 }
 
+// From the start of the first kernel to the end of the last; nothing where events carry no times.
+std::optional<double> lastFrameMs(Denoiser& denoiser) {
+  const Timings timings = denoiser.timings();
+  if (timings.source != TimeSource::Device || timings.stages.empty()) return std::nullopt;
+  constexpr double kMillisecondsPerNanosecond = 1e-6;
+  return double(timings.stages.back().last.end - timings.stages.front().last.start) *
+         kMillisecondsPerNanosecond;
+}
+
+// The last frame of an input that has a reference it can be compared with; -1 if none has.
+int lastReferenceFrame(const BenchInput& input) {
+  for (auto frame = input.frames.rbegin(); frame != input.frames.rend(); ++frame)
+    if (input.sequence->reference(*frame) && input.sequence->read(*frame).comparable()) return *frame;
+  return -1;
+}
+
+io::Image meanOf(const io::Reference& reference) {
+  io::Image mean = reference.a;
+  for (std::size_t i = 0; i < reference.b.pixels.size(); ++i)
+    mean.pixels[i] = 0.5f * (mean.pixels[i] + reference.b.pixels[i]);
+  return mean;
+}
+
+void keepInputPictures(std::vector<BenchPicture>& pictures, const BenchInput& input, int frame) {
+  const std::string name = input.sequence->name();
+  const io::FrameData data = input.sequence->read(frame);
+  pictures.push_back({name, frame, "noisy", metrics::encodeForDisplay(data.noisy())});
+  pictures.push_back(
+      {name, frame, "reference", metrics::encodeForDisplay(meanOf(*input.sequence->reference(frame)))});
+}
+
 // Calls work(run, frame) for every frame and run; a round starts without history.
 template <class Work>
 void runRound(std::vector<ActiveRun>& active, const BenchInput& input, std::size_t round, const Work& work) {
@@ -61,19 +94,25 @@ void runRound(std::vector<ActiveRun>& active, const BenchInput& input, std::size
   }
 }
 
-void measureErrors(ActiveRun& active, const io::FrameData& frame, const io::FrameSequence& sequence) {
+void measureErrors(ActiveRun& active, const io::FrameData& frame, const io::FrameSequence& sequence,
+                   int pictureFrame, std::vector<BenchPicture>& pictures) {
   const DenoisedFrame denoised = active.session->denoise(frame);
   active.hash.add(denoised.linear);
   active.hash.add(denoised.display);
   active.flicker.add(trackFrame(frame, denoised));
+  if (frame.number == pictureFrame)
+    pictures.push_back(
+        {active.run.input, frame.number, active.run.plan.name(), metrics::encodeForDisplay(denoised.linear)});
   if (!frame.comparable()) return;
   if (const auto reference = sequence.reference(frame.number))
     active.run.report.errors.push_back(compareFrame(frame, denoised, *reference));
 }
 
-void warmUp(std::vector<ActiveRun>& active, const BenchInput& input) {
-  runRound(active, input, 0,
-           [&](ActiveRun& run, const io::FrameData& frame) { measureErrors(run, frame, *input.sequence); });
+void warmUp(std::vector<ActiveRun>& active, const BenchInput& input, int pictureFrame,
+            std::vector<BenchPicture>& pictures) {
+  runRound(active, input, 0, [&](ActiveRun& run, const io::FrameData& frame) {
+    measureErrors(run, frame, *input.sequence, pictureFrame, pictures);
+  });
   for (ActiveRun& run : active) {
     run.run.report.outputHash = run.hash.text();
     run.run.report.temporalError = run.flicker.mean();
@@ -81,18 +120,29 @@ void warmUp(std::vector<ActiveRun>& active, const BenchInput& input) {
   }
 }
 
-void runRounds(std::vector<ActiveRun>& active, const BenchInput& input, int rounds) {
+void runTimed(ActiveRun& active, const io::FrameData& frame) {
+  active.session->run(frame);
+  if (const auto ms = lastFrameMs(active.session->denoiser())) active.run.frameMs.back().push_back(*ms);
+}
+
+void runRounds(std::vector<ActiveRun>& active, const BenchInput& input, int rounds, int pictureFrame,
+               std::vector<BenchPicture>& pictures) {
   const std::string label = fmt::format("bench {} {}x{}", input.sequence->name(), input.sequence->width(),
                                         input.sequence->height());
   Progress progress(label, static_cast<std::size_t>(rounds) + 1);
-  warmUp(active, input);
+  warmUp(active, input, pictureFrame, pictures);
   progress.step("warm-up");
   for (int round = 1; round <= rounds; ++round) {
-    runRound(active, input, static_cast<std::size_t>(round),
-             [](ActiveRun& run, const io::FrameData& frame) { run.session->run(frame); });
+    for (ActiveRun& run : active) run.run.frameMs.emplace_back();
+    runRound(active, input, static_cast<std::size_t>(round), runTimed);
     progress.step(fmt::format("round {}", round));
   }
-  for (ActiveRun& run : active) run.run.report.timings = run.session->denoiser().timings();
+  for (ActiveRun& run : active) run.run.report.timings = run.session->timings();
+}
+
+void measureBuilds(std::vector<ActiveRun>& active, const BenchInput& input, const DeviceArguments& device) {
+  const io::FrameData example = input.sequence->read(input.frames.front());
+  for (ActiveRun& run : active) run.run.build = measureBuildTimes(run.run.report.settings, device, example);
 }
 
 CopyBandwidth measureCopy(const DenoiseSession& session) {
@@ -107,19 +157,35 @@ CopyBandwidth mean(const std::vector<CopyBandwidth>& measurements) {
   return result;
 }
 
+// All runs of a group on one of its inputs.
+void runInput(BenchResult& result, const BenchGroup& group, const BenchInput& input,
+              const BenchOptions& options, bool keepPictures, bool buildTimes) {
+  std::vector<ActiveRun> active = openRuns(group.runs, input, options.device, result.skipped);
+  if (active.empty()) return;
+  const DenoiseSession& session = *active.front().session;
+  if (options.fmaRate && result.fmaGigaflops == 0.0)
+    result.fmaGigaflops = measureFmaRate(session.context(), session.deviceId(), session.queue());
+  if (buildTimes) measureBuilds(active, input, options.device);
+  const int pictureFrame = keepPictures ? lastReferenceFrame(input) : -1;
+  if (pictureFrame >= 0) keepInputPictures(result.pictures, input, pictureFrame);
+  result.copyMeasurements.push_back(measureCopy(session));
+  runRounds(active, input, options.rounds, pictureFrame, result.pictures);
+  result.copyMeasurements.push_back(measureCopy(session));
+  for (ActiveRun& run : active) result.runs.push_back(std::move(run.run));
+}
+
 }  // namespace
 
-BenchResult runBench(const std::vector<PlannedRun>& runs, const std::vector<BenchInput>& inputs, int rounds,
-                     const DeviceArguments& device) {
+BenchResult runBench(const std::vector<BenchGroup>& groups, const BenchOptions& options) {
   BenchResult result;
-  result.rounds = rounds;
-  for (const BenchInput& input : inputs) {
-    std::vector<ActiveRun> active = openRuns(runs, input, device, result.skipped);
-    if (active.empty()) continue;
-    result.copyMeasurements.push_back(measureCopy(*active.front().session));
-    runRounds(active, input, rounds);
-    result.copyMeasurements.push_back(measureCopy(*active.front().session));
-    for (ActiveRun& run : active) result.runs.push_back(std::move(run.run));
+  result.rounds = options.rounds;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (std::size_t i = 0; i < groups[g].inputs.size(); ++i) {
+      const bool first = g == 0;
+      runInput(result, groups[g], groups[g].inputs[i], options,
+               first && i < static_cast<std::size_t>(options.pictureInputs),
+               first && i == 0 && options.buildTimes);
+    }
   }
   if (result.runs.empty())
     refuse("bench", "settings", "a combination that the library accepts", result.skipped.front().reason);

@@ -12,8 +12,10 @@ void addBenchCommand(CLI::App& app);
 void addDemoCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addFBetaCommand(CLI::App& app);
+void addKernelsCommand(CLI::App& app);
 void addSelectFeaturesCommand(CLI::App& app);
 void addStressCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
+void addTuneDeviceCommand(CLI::App& app);
 
 }  // namespace quell::cli

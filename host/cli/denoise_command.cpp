@@ -37,6 +37,7 @@ struct DenoiseOptions {
   int signals = 1;
   double skyShare = 0.0;
   bool stillCamera = false;
+  bool debugTiles = false;
   bool png = false;
   bool exr = false;
   bool copyBandwidth = false;
@@ -79,6 +80,8 @@ void runDenoise(const DenoiseOptions& options) {
   const Settings settings =
       applyMethodArguments(kCommand, options.method, defaultSettings(options.method.method, *sequence));
   std::unique_ptr<OutputFiles> files;
+  if (options.debugTiles && options.output.empty())
+    refuse(kCommand, "--debug tiles", "--output as well", "none");
   if (!options.output.empty())
     files = std::make_unique<OutputFiles>(options.output,
                                           OutputFormats{options.png || !options.exr, options.exr});
@@ -101,6 +104,7 @@ void runDenoise(const DenoiseOptions& options) {
     hash.add(denoised.display);
     flicker.add(trackFrame(frame, denoised));
     if (files) files->write(number, denoised);
+    if (options.debugTiles) files->writeTiles(number, denoised, session.denoiser().backgroundMap());
     if (const auto reference = sequence->reference(number)) {
       if (frame.comparable()) report.errors.push_back(compareFrame(frame, denoised, *reference));
       if (files) files->writeComparison(frame, denoised, *reference);
@@ -112,7 +116,7 @@ void runDenoise(const DenoiseOptions& options) {
   report.memory = session.denoiser().memoryUse();
   report.outputHash = hash.text();
   report.temporalError = flicker.mean();
-  if (options.timers != "off") report.timings = session.denoiser().timings();
+  if (options.timers != "off") report.timings = session.timings();
   if (options.copyBandwidth) {
     const CopyBandwidth copy = measureCopyBandwidth(session.context(), session.deviceId(), session.queue());
     report.copyMs = copy.copyMs;
@@ -160,6 +164,11 @@ void addDenoiseCommand(CLI::App& app) {
       ->capture_default_str();
   addDeviceArguments(*command, options->device);
   command->add_option("--json", options->json, "File for the report as JSON");
+  command
+      ->add_option_function<std::string>(
+          "--debug", [options](const std::string&) { options->debugTiles = true; },
+          "tiles: write tiles_NNNN.png, darkened where background is left out")
+      ->check(CLI::IsMember({"tiles"}));
   command->add_flag("--png", options->png, "Write display images as PNG (the default)");
   command->add_flag("--exr", options->exr, "Write display images as OpenEXR");
   command->add_flag("--copy-bandwidth", options->copyBandwidth,

@@ -48,10 +48,12 @@ json toJson(const Timings& timings) {
                  {"stages", json::array()}};
   for (const StageTimings& stage : timings.stages) {
     result["stages"].push_back({{"name", stage.stage},
+                                {"label", stage.label},
                                 {"median_ms", stage.time.medianMs},
                                 {"min_ms", stage.time.minMs},
                                 {"max_ms", stage.time.maxMs},
                                 {"bytes", stage.bytesMoved}});
+    if (stage.skippedShare) result["stages"].back()["skipped_share"] = *stage.skippedShare;
   }
   return result;
 }
@@ -61,22 +63,26 @@ namespace {
 std::string rowText(const std::string& name, const TimeStatistics& time, std::uint64_t bytes,
                     const DenoiseReport& report) {
   const double gbs = gigabytesPerSecond(bytes, time);
-  std::string row = fmt::format("  {:<24}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.1f}{:>8.1f}", name, time.medianMs,
+  std::string row = fmt::format("  {:<32}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.1f}{:>8.1f}", name, time.medianMs,
                                 time.minMs, time.maxMs, static_cast<double>(bytes) * 1e-6, gbs);
   if (report.copyMs)
     row += fmt::format("{:>8.1f}{:>7.0f} %", time.medianMs / *report.copyMs, 100.0 * gbs / *report.copyGbs);
   return row + "\n";
 }
 
+std::string skippedText(const StageTimings& stage) {
+  return stage.skippedShare ? fmt::format(", {:.0f} % skipped", 100.0 * *stage.skippedShare) : "";
+}
+
 std::string timingsText(const DenoiseReport& report) {
   const Timings& timings = *report.timings;
-  std::string text = fmt::format("\n  {:<24}{:>9}{:>9}{:>9}{:>9}{:>8}",
+  std::string text = fmt::format("\n  {:<32}{:>9}{:>9}{:>9}{:>9}{:>8}",
                                  fmt::format("stage ({} time, ms)", toString(timings.source)), "median",
                                  "min", "max", "MB", "GB/s");
   if (report.copyMs) text += fmt::format("{:>8}{:>9}", "copies", "of copy");
   text += "\n";
   for (const StageTimings& stage : timings.stages)
-    text += rowText(stage.stage, stage.time, stage.bytesMoved, report);
+    text += rowText(stage.label + skippedText(stage), stage.time, stage.bytesMoved, report);
   const StageTimings sum = sumOfStages(timings);
   text += rowText(sum.stage, sum.time, sum.bytesMoved, report);
   text += rowText("frame, gaps included", timings.frame, sum.bytesMoved, report);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -139,6 +140,15 @@ DenoisedFrame DenoiseSession::denoise(const io::FrameData& frame) {
 
 void DenoiseSession::run(const io::FrameData& frame) {
   withClErrors("denoise", [&] { m_implementation->run(frame); });
+}
+
+Timings DenoiseSession::timings() {
+  Timings timings = denoiser().timings();
+  const BackgroundMap map = denoiser().backgroundMap();
+  for (StageTimings& stage : timings.stages)
+    if (std::find(map.stages.begin(), map.stages.end(), stage.label) != map.stages.end())
+      stage.skippedShare = map.share();
+  return timings;
 }
 
 const DeviceInfo& DenoiseSession::device() const { return m_implementation->m_info; }

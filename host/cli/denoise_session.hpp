@@ -32,6 +32,9 @@ class DenoiseSession {
   /// Uploads and denoises, but leaves the outputs on the device; blocks. For timing.
   void run(const io::FrameData& frame);
 
+  /// The denoiser's times, with the share that the latest frame left out; blocks until that is done.
+  Timings timings();
+
   const DeviceInfo& device() const;
   Denoiser& denoiser();
   cl_context context() const;

@@ -13,6 +13,9 @@
 namespace quell::cli {
 namespace {
 
+// Of what was left out, in the picture of tiles.
+constexpr float kBackgroundBrightness = 0.3f;
+
 void paste(io::Image& target, const io::Image& source, int column) {
   for (int y = 0; y < source.height; ++y)
     for (int x = 0; x < source.width; ++x)
@@ -46,6 +49,18 @@ void OutputFiles::writeComparison(const io::FrameData& noisy, const DenoisedFram
                                   const io::Reference& reference) const {
   io::writePng(path("comparison", noisy.number, "png"),
                comparisonSheet(noisy.noisy(), denoised.display, &reference));
+}
+
+void OutputFiles::writeTiles(int frame, const DenoisedFrame& denoised, const BackgroundMap& map) const {
+  io::Image picture = denoised.display;
+  for (int y = 0; y < picture.height && !map.background.empty(); ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const int item = y * map.columns + x / map.itemWidth;
+      if (map.background[static_cast<std::size_t>(item)] == 0) continue;
+      for (int c = 0; c < 3; ++c) picture.at(x, y, c) *= kBackgroundBrightness;
+    }
+  }
+  io::writePng(path("tiles", frame, "png"), picture);
 }
 
 io::Image comparisonSheet(const io::Image& noisy, const io::Image& display, const io::Reference* reference) {

@@ -31,6 +31,9 @@ class OutputFiles {
   void writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,
                        const io::Reference& reference) const;
 
+  /// tiles_%04d.png: the display image, darkened where `map` says that nothing was filtered.
+  void writeTiles(int frame, const DenoisedFrame& denoised, const BackgroundMap& map) const;
+
  private:
   std::string path(const char* prefix, int frame, const char* extension) const;
 

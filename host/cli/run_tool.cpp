@@ -18,9 +18,11 @@ int runTool(int argc, const char* const* argv) {
   addBenchCommand(app);
   addDevicesCommand(app);
   addFBetaCommand(app);
+  addKernelsCommand(app);
   addSelectFeaturesCommand(app);
   addStressCommand(app);
   addRenderCommand(app);
+  addTuneDeviceCommand(app);
   addDemoCommand(app);
   try {
     app.parse(argc, argv);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <deque>
 #include <quell/denoiser.hpp>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "host/core/reprojection.hpp"
 #include "host/core/schedule.hpp"
 #include "host/core/stage.hpp"
+#include "host/core/tuning.hpp"
 #include "host/core/validation.hpp"
 #include "host/methods/method.hpp"
 
@@ -51,29 +53,57 @@ void checkOptions(const Options& options) {
     refuse("options.fitGroup", "0 or a power of two up to 256", group);
 }
 
-/// Enqueues the kernels of one frame; with `chain`, each waits for the one before.
-class QueueRun : public FrameRun {
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// True if the stage leaves out background, or finds it; see kernels/common/surfaces.h.
+bool usesSurfaces(const StageRow& row) {
+  return contains(row.reads, kSurfacesBuffer) || contains(row.writes, kSurfacesBuffer);
+}
+
+/// The kernels of one frame on their way into the queue; with `chain`, each waits for the one before.
+class FrameCommands {
  public:
-  QueueRun(const Configuration& c, const Frame& f, const Output& o, const ReprojectionParams& r,
-           std::uint32_t index, const BufferSet& buffers, const cl::CommandQueue& queue,
-           std::vector<cl::Event> waitFor, bool chain, bool keepEvents)
-      : FrameRun(c, f, o, r, index),
-        m_buffers(buffers),
-        m_queue(queue),
-        m_waitFor(std::move(waitFor)),
-        m_chain(chain),
-        m_keepEvents(keepEvents) {}
+  FrameCommands(const cl::CommandQueue& queue, std::vector<cl::Event> waitFor, bool chain, bool keepEvents)
+      : m_queue(queue), m_waitFor(std::move(waitFor)), m_chain(chain), m_keepEvents(keepEvents) {}
+
+  /// `last`: of the frame's stages.
+  void enqueue(std::size_t stage, bool last, const cl::Kernel& kernel, const cl::NDRange& range,
+               const cl::NDRange& local) {
+    const bool wantEvent = m_chain || m_keepEvents || last;
+    cl::Event event;
+    m_queue.enqueueNDRangeKernel(kernel, cl::NullRange, range, local,
+                                 m_waitFor.empty() ? nullptr : &m_waitFor, wantEvent ? &event : nullptr);
+    m_waitFor.clear();
+    if (m_chain) m_waitFor.push_back(event);
+    if (m_keepEvents || m_chain) m_events.emplace_back(stage, event);
+    m_lastEvent = event;
+  }
+
+  const cl::Event& lastEvent() const { return m_lastEvent; }
+  const std::vector<std::pair<std::size_t, cl::Event>>& events() const { return m_events; }
+
+ private:
+  const cl::CommandQueue& m_queue;
+  std::vector<cl::Event> m_waitFor;
+  bool m_chain;
+  bool m_keepEvents;
+  cl::Event m_lastEvent;
+  std::vector<std::pair<std::size_t, cl::Event>> m_events;
+};
+
+/// What one stage sees of a frame that goes into the queue.
+class StageRun : public FrameRun {
+ public:
+  StageRun(const Configuration& c, const Frame& f, const Output& o, const ReprojectionParams& r,
+           std::uint32_t index, const BufferSet& buffers, FrameCommands& commands, std::size_t stage,
+           bool last)
+      : FrameRun(c, f, o, r, index), m_buffers(buffers), m_commands(commands), m_stage(stage), m_last(last) {}
 
   const cl::Buffer& buffer(const std::string& name) const override {
     return m_buffers.get(name, static_cast<int>(frameIndex % 2));
   }
-
-  void beginStage(std::size_t stage, bool last) {
-    m_stage = stage;
-    m_lastStage = last;
-  }
-  const cl::Event& lastEvent() const { return m_lastEvent; }
-  const std::vector<std::pair<std::size_t, cl::Event>>& events() const { return m_events; }
 
  protected:
   void enqueue(const cl::Kernel& kernel, std::array<std::size_t, 2> global,
@@ -81,27 +111,15 @@ class QueueRun : public FrameRun {
     const auto padded = [](std::size_t items, std::size_t group) {
       return (items + group - 1) / group * group;
     };
-    const cl::NDRange range(padded(global[0], local[0]), padded(global[1], local[1]));
-    const bool wantEvent = m_chain || m_keepEvents || m_lastStage;
-    cl::Event event;
-    m_queue.enqueueNDRangeKernel(kernel, cl::NullRange, range, local,
-                                 m_waitFor.empty() ? nullptr : &m_waitFor, wantEvent ? &event : nullptr);
-    m_waitFor.clear();
-    if (m_chain) m_waitFor.push_back(event);
-    if (m_keepEvents || m_chain) m_events.emplace_back(m_stage, event);
-    m_lastEvent = event;
+    m_commands.enqueue(m_stage, m_last, kernel,
+                       cl::NDRange(padded(global[0], local[0]), padded(global[1], local[1])), local);
   }
 
  private:
   const BufferSet& m_buffers;
-  const cl::CommandQueue& m_queue;
-  std::vector<cl::Event> m_waitFor;
-  bool m_chain;
-  bool m_keepEvents;
-  std::size_t m_stage = 0;
-  bool m_lastStage = false;
-  cl::Event m_lastEvent;
-  std::vector<std::pair<std::size_t, cl::Event>> m_events;
+  FrameCommands& m_commands;
+  std::size_t m_stage;
+  bool m_last;
 };
 
 /// Stand-ins for the caller's images while kernels are launched for the first time.
@@ -162,8 +180,7 @@ class Denoiser::Implementation {
     try {
       m_configuration.fBetaTable = makeFBetaTable();
       m_schedule = m_method.makeSchedule(m_configuration);
-      const KernelBuilder builder(m_context, m_device, m_cache, m_configuration);
-      for (StageRow& row : m_schedule.stages) row.stage->build(builder);
+      buildStages();
       m_buffers = BufferSet(m_context, m_queue, m_schedule, frame.size);
       warmUp();
     } catch (...) {
@@ -192,7 +209,13 @@ class Denoiser::Implementation {
 
   MemoryUse memoryUse() const { return m_buffers.memoryUse(); }
 
-  Timings timings() { return m_timer ? m_timer->collect() : Timings{}; }
+  Timings timings() {
+    if (!m_timer) return {};
+    Timings timings = m_timer->collect();
+    for (std::size_t i = 0; i < timings.stages.size(); ++i)
+      timings.stages[i].label = m_schedule.stages[i].stage->label();
+    return timings;
+  }
 
   void clearTimings() {
     if (m_timer) m_timer->clear();
@@ -200,7 +223,38 @@ class Denoiser::Implementation {
 
   const Settings& settings() const { return m_configuration.settings; }
 
+  BackgroundMap backgroundMap() const {
+    BackgroundMap map;
+    for (const StageRow& row : m_schedule.stages)
+      if (contains(row.reads, kSurfacesBuffer) && row.stage->name() != "background")
+        map.stages.push_back(row.stage->label());
+    if (map.stages.empty() || m_frameIndex == 0) return {};
+    const int lanes = m_configuration.device.lanes;
+    map.itemWidth = lanes;
+    map.columns = (m_configuration.size().width + lanes - 1) / lanes;
+    map.rows = m_configuration.size().height;
+    map.background.resize(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows));
+    const std::vector<cl::Event> after{m_lastEvent};
+    m_queue.enqueueReadBuffer(m_buffers.get(kSurfacesBuffer, 0), CL_TRUE, 0, map.background.size(),
+                              map.background.data(), &after);
+    for (std::uint8_t& flag : map.background) flag = flag == 0 ? 1 : 0;
+    return map;
+  }
+
  private:
+  void buildStages() {
+    const DeviceTuning tuning = readTuning(m_cache.disk(), m_configuration.device.identity);
+    m_stageConfigurations.clear();
+    for (StageRow& row : m_schedule.stages) {
+      m_stageConfigurations.push_back(m_configuration);
+      Configuration& tuned = m_stageConfigurations.back();
+      applyTuning(tuning, row.stage->name(), tuned);
+      // One byte a work-item: stages that share them must agree on what a work-item is.
+      if (usesSurfaces(row) && tuned.device.lanes != m_configuration.device.lanes) tuned = m_configuration;
+      row.stage->build(DeviceKernelBuilder(m_context, m_device, m_cache, m_stageConfigurations.back()));
+    }
+  }
+
   cl::Buffer makeFBetaTable() const {
     if (!dividesByFBeta(m_configuration)) return {};
     return FBetaTable(m_context, m_device, m_queue, m_configuration.device, m_cache, Shadowing::Separable)
@@ -259,27 +313,27 @@ class Denoiser::Implementation {
     // On an in-order queue the chain carries on what a failing event of the wait list means for later
     // kernels.
     const bool chain = m_outOfOrder || !waitFor.empty();
-    QueueRun run(m_configuration, frame, output, reprojection, m_frameIndex, m_buffers, m_queue,
-                 std::move(waitFor), chain, keepEvents);
+    FrameCommands commands(m_queue, std::move(waitFor), chain, keepEvents);
     try {
       for (std::size_t i = 0; i < m_schedule.stages.size(); ++i) {
-        run.beginStage(i, i + 1 == m_schedule.stages.size());
+        StageRun run(m_stageConfigurations[i], frame, output, reprojection, m_frameIndex, m_buffers, commands,
+                     i, i + 1 == m_schedule.stages.size());
         m_schedule.stages[i].stage->enqueue(run);
       }
       m_queue.flush();  // hands the work to the device; does not wait
     } catch (...) {
       // Whatever was enqueued still runs: later frames come after it, and start afresh.
-      if (run.lastEvent()() != nullptr) m_lastEvent = run.lastEvent();
+      if (commands.lastEvent()() != nullptr) m_lastEvent = commands.lastEvent();
       m_frameIndex = 0;
       throw;
     }
-    m_lastEvent = run.lastEvent();
+    m_lastEvent = commands.lastEvent();
     ++m_frameIndex;
     if (m_timer) {
-      for (const auto& [stage, event] : run.events()) m_timer->add(stage, event);
+      for (const auto& [stage, event] : commands.events()) m_timer->add(stage, event);
       m_timer->endFrame();
     }
-    if (chain) keepUntilDone(run.events());
+    if (chain) keepUntilDone(commands.events());
     return m_lastEvent;
   }
 
@@ -333,6 +387,7 @@ class Denoiser::Implementation {
   const Method& m_method;
   Configuration m_configuration;
   Schedule m_schedule;
+  std::vector<Configuration> m_stageConfigurations;  // as m_configuration, but tuned
   BufferSet m_buffers;
   std::unique_ptr<FrameTimer> m_timer;
   cl::Event m_lastEvent;
@@ -371,7 +426,15 @@ Timings Denoiser::timings() {
 void Denoiser::clearTimings() {
   withClErrors("clearTimings", [&] { m_implementation->clearTimings(); });
 }
+BackgroundMap Denoiser::backgroundMap() const {
+  return withClErrors("backgroundMap", [&] { return m_implementation->backgroundMap(); });
+}
 const Settings& Denoiser::settings() const { return m_implementation->settings(); }
+
+double BackgroundMap::share() const {
+  const auto count = std::count(background.begin(), background.end(), std::uint8_t(1));
+  return background.empty() ? 0.0 : static_cast<double>(count) / static_cast<double>(background.size());
+}
 
 Event& Event::operator=(Event&& other) noexcept {
   if (this != &other) {

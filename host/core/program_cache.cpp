@@ -18,6 +18,7 @@ struct Memory {
   std::mutex mutex;
   std::map<std::string, Binary> binaries;
   ProgramCacheCounters counters;
+  std::string sourceComment;
 };
 
 Memory& memory() {
@@ -67,6 +68,12 @@ std::optional<Binary> find(const std::string& key) {
   return found == shared.binaries.end() ? std::nullopt : std::optional<Binary>(found->second);
 }
 
+std::string commented(const std::string& source) {
+  Memory& shared = memory();
+  const std::lock_guard<std::mutex> lock(shared.mutex);
+  return shared.sourceComment.empty() ? source : source + "\n// " + shared.sourceComment + "\n";
+}
+
 void remember(const std::string& key, const Binary& binary, int ProgramCacheCounters::*counter) {
   Memory& shared = memory();
   const std::lock_guard<std::mutex> lock(shared.mutex);
@@ -78,7 +85,8 @@ void remember(const std::string& key, const Binary& binary, int ProgramCacheCoun
 
 cl::Program ProgramCache::build(const cl::Context& context, const cl::Device& device,
                                 const DeviceTraits& traits, const std::string& stage,
-                                const std::string& source, const std::string& options) const {
+                                const std::string& plainSource, const std::string& options) const {
+  const std::string source = commented(plainSource);
   const std::string key = traits.identity + "\n" + options + "\n" + source;
   if (const auto binary = find(key)) {
     if (auto program = fromBinary(context, device, *binary, options)) {
@@ -109,6 +117,12 @@ void ProgramCache::clearMemory() {
   Memory& shared = memory();
   const std::lock_guard<std::mutex> lock(shared.mutex);
   shared.binaries.clear();
+}
+
+void ProgramCache::setSourceComment(const std::string& text) {
+  Memory& shared = memory();
+  const std::lock_guard<std::mutex> lock(shared.mutex);
+  shared.sourceComment = text;
 }
 
 std::string defaultCacheDirectory() {

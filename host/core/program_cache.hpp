@@ -32,6 +32,9 @@ class ProgramCache {
   static ProgramCacheCounters counters();
   /// Drops the binaries held in memory (not those on disk).
   static void clearMemory();
+  /// A comment that is added to every source compiled from now on: a text that was never used makes compilers with
+  /// caches of their own start cold. For measurements; must be called while nothing is built.
+  static void setSourceComment(const std::string& text);
 
  private:
   DiskCache m_disk;

@@ -27,6 +27,9 @@ struct BufferSpec {
   bool history = false;      ///< kept for the next frame: double-buffered, never shares memory
 };
 
+/// The buffer that tells which work-items have nothing but background; see kernels/common/surfaces.h.
+constexpr char kSurfacesBuffer[] = "surfaces";
+
 /// One line of a method's table.
 struct StageRow {
   std::unique_ptr<Stage> stage;

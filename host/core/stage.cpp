@@ -16,17 +16,20 @@ constexpr std::size_t kCpuWorkGroup[2] = {8, 1};
 }  // namespace
 
 cl::Kernel KernelBuilder::build(const std::string& stem, const std::string& options) const {
+  return compile(
+      stem, "-cl-std=CL1.2 -D QUELL_LANES=" + std::to_string(m_configuration.device.lanes) + " " + options);
+}
+
+cl::Kernel DeviceKernelBuilder::compile(const std::string& stem, const std::string& options) const {
   const auto found = kernelSources().find(stem);
   if (found == kernelSources().end()) throw std::logic_error("no kernel source " + stem);
-  const std::string all =
-      "-cl-std=CL1.2 -D QUELL_LANES=" + std::to_string(m_configuration.device.lanes) + " " + options;
   const cl::Program program =
-      m_cache.build(m_context, m_device, m_configuration.device, stem, found->second, all);
+      m_cache.build(m_context, m_device, configuration().device, stem, found->second, options);
   return cl::Kernel(program, stem.c_str());
 }
 
-std::size_t KernelBuilder::maxWorkGroup(const cl::Kernel& kernel) const {
-  return std::min(m_configuration.device.maxWorkGroup,
+std::size_t DeviceKernelBuilder::maxWorkGroup(const cl::Kernel& kernel) const {
+  return std::min(configuration().device.maxWorkGroup,
                   kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(m_device));
 }
 

@@ -12,12 +12,11 @@
 
 namespace quell {
 
-/// Compiles kernels/<stem>.cl for one configuration.
+/// What a stage builds its kernels with, for one configuration.
 class KernelBuilder {
  public:
-  KernelBuilder(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
-                const Configuration& configuration)
-      : m_context(context), m_device(device), m_cache(cache), m_configuration(configuration) {}
+  explicit KernelBuilder(const Configuration& configuration) : m_configuration(configuration) {}
+  virtual ~KernelBuilder() = default;
 
   const Configuration& configuration() const { return m_configuration; }
 
@@ -26,7 +25,7 @@ class KernelBuilder {
   cl::Kernel build(const std::string& stem, const std::string& options) const;
 
   /// Largest work-group that device and kernel allow.
-  std::size_t maxWorkGroup(const cl::Kernel& kernel) const;
+  virtual std::size_t maxWorkGroup(const cl::Kernel& kernel) const = 0;
 
   /// A power of two, `wish` if that is positive, else `usual`; halved until the device allows it.
   std::size_t groupSize(int wish, std::size_t usual) const;
@@ -34,11 +33,30 @@ class KernelBuilder {
   /// Work-group of a per-pixel kernel: the caller's wish or a good default, reduced to what is allowed.
   cl::NDRange pixelWorkGroup(const cl::Kernel& kernel) const;
 
+ protected:
+  /// `options` are complete here.
+  virtual cl::Kernel compile(const std::string& stem, const std::string& options) const = 0;
+
+ private:
+  const Configuration& m_configuration;
+};
+
+/// Compiles for a device, or takes from a cache what was compiled before. All arguments must outlive it.
+class DeviceKernelBuilder : public KernelBuilder {
+ public:
+  DeviceKernelBuilder(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
+                      const Configuration& configuration)
+      : KernelBuilder(configuration), m_context(context), m_device(device), m_cache(cache) {}
+
+  std::size_t maxWorkGroup(const cl::Kernel& kernel) const override;
+
+ protected:
+  cl::Kernel compile(const std::string& stem, const std::string& options) const override;
+
  private:
   const cl::Context& m_context;
   const cl::Device& m_device;
   const ProgramCache& m_cache;
-  const Configuration& m_configuration;
 };
 
 /// Compile options that describe the layout of a caller's image: NAME_FORMAT, NAME_CHANNELS, NAME_STRIDE.
@@ -103,6 +121,8 @@ class Stage {
   virtual ~Stage() = default;
   /// The stem: names the kernel file, this class's file, the oracle, the test and the bench entry.
   virtual std::string name() const = 0;
+  /// The name, with what tells this stage from others of that name in a method; for reports.
+  virtual std::string label() const { return name(); }
   /// Compiles the stage's kernels.
   virtual void build(const KernelBuilder& builder) = 0;
   /// Enqueues the stage's kernels for one frame.

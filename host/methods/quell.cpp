@@ -183,7 +183,7 @@ std::vector<BufferSpec> buffers(const Configuration& configuration) {
       {"changeSums", f32, 0, tiles * QUELL_CHANGE_RECORD, true},
       elements("changeWeights", tiles),
       transient("variance", f32, signals),
-      {"surfaces", Element::UInt8, 0, surfaceCount(configuration), false},
+      {kSurfacesBuffer, Element::UInt8, 0, surfaceCount(configuration), false},
       transient("filteredOdd", f32, 3 * signals),
       transient("varianceOdd", f32, signals),
       transient("filteredEven", f32, 3 * signals),
@@ -193,7 +193,7 @@ std::vector<BufferSpec> buffers(const Configuration& configuration) {
 
 // What accumulate_noisy finds out for stages that leave out background.
 std::vector<std::string> surfaceNames(const Settings& s) {
-  return s.isOn("skip") ? std::vector<std::string>{"surfaces"} : std::vector<std::string>{};
+  return s.isOn("skip") ? std::vector<std::string>{kSurfacesBuffer} : std::vector<std::string>{};
 }
 
 void addAccumulation(Schedule& schedule, const Configuration& configuration) {
@@ -244,7 +244,7 @@ void addFilter(Schedule& schedule, const Configuration& configuration) {
   setup.luminanceSigma = s.get("luminanceSigma");
   setup.sharpRoughness = s.get("sharpRoughness");
   setup.skip = s.isOn("skip");
-  if (setup.skip) guides = joinedNames(guides, {"surfaces"});
+  if (setup.skip) guides = joinedNames(guides, {kSurfacesBuffer});
   for (int i = 1; i <= static_cast<int>(s.get("iterations")); ++i) {
     const Level in = levelAfter(i - 1);
     const Level out = levelAfter(i);

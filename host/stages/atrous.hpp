@@ -26,6 +26,7 @@ class Atrous : public Stage {
   };
   explicit Atrous(Setup setup) : m_setup(std::move(setup)) {}
   std::string name() const override { return "atrous"; }
+  std::string label() const override { return "atrous (step " + std::to_string(m_setup.step) + ")"; }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
   std::uint64_t callerBytes(const Configuration&) const override { return 0; }

@@ -6,6 +6,8 @@
 
 namespace quell {
 
+std::string BlendedSum::label() const { return name() + signalLabel(m_signal); }
+
 void BlendedSum::build(const KernelBuilder& builder) {
   m_kernel = builder.build("blended_sum", m_features.options() + signalOptions(m_signal) +
                                               "-D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge));

@@ -12,6 +12,7 @@ class BlendedSum : public Stage {
   BlendedSum(const GramWindows& windows, const FitFeatures& features, int signal)
       : m_windows(windows), m_features(features), m_signal(signal) {}
   std::string name() const override { return "blended_sum"; }
+  std::string label() const override;
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
   std::uint64_t callerBytes(const Configuration&) const override { return 0; }

@@ -56,6 +56,10 @@ std::size_t Fit::storageElements(Size size, FeatureStorage storage, const FitFea
 
 std::string signalOptions(int signal) { return "-D QUELL_SIGNAL=" + std::to_string(signal) + " "; }
 
+std::string signalLabel(int signal) {
+  return signal == 0 ? "" : " (signal " + std::to_string(signal + 1) + ")";
+}
+
 void Fit::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
   const auto lanes = static_cast<std::size_t>(configuration.device.lanes);

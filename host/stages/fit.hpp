@@ -21,6 +21,8 @@ FitParams makeFitParams(Size size, std::uint32_t frameIndex, double noiseAmplitu
 
 /// Compile options of stages that work on one signal at a time.
 std::string signalOptions(int signal);
+/// What such a stage's label ends with: nothing for the first signal.
+std::string signalLabel(int signal);
 
 /// Buffer behind the materials of a fit: the guides stand in where no feature needs any.
 const cl::Buffer& materialsOf(const FrameRun& run, const FitFeatures& features);
@@ -33,6 +35,7 @@ class Fit : public Stage {
   Fit(double noiseAmplitude, FeatureStorage storage, const FitFeatures& features, int signal)
       : m_noiseAmplitude(noiseAmplitude), m_storage(storage), m_features(features), m_signal(signal) {}
   std::string name() const override { return "fit"; }
+  std::string label() const override { return name() + signalLabel(m_signal); }
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
   std::uint64_t callerBytes(const Configuration&) const override { return 0; }

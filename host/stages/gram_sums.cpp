@@ -12,6 +12,8 @@ constexpr std::size_t kGpuGroup = 128;
 
 }  // namespace
 
+std::string GramSums::label() const { return name() + signalLabel(m_signal); }
+
 void GramSums::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
   // With sixteen lanes a work-item has a tile to itself.

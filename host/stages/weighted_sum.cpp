@@ -4,6 +4,8 @@
 
 namespace quell {
 
+std::string WeightedSum::label() const { return name() + signalLabel(m_signal); }
+
 void WeightedSum::build(const KernelBuilder& builder) {
   m_kernel = builder.build("weighted_sum", m_features.options() + signalOptions(m_signal));
   m_workGroup = builder.pixelWorkGroup(m_kernel);

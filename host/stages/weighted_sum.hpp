@@ -12,6 +12,7 @@ class WeightedSum : public Stage {
   /// `signal`: the one that is fitted, 0 or 1.
   WeightedSum(const FitFeatures& features, int signal) : m_features(features), m_signal(signal) {}
   std::string name() const override { return "weighted_sum"; }
+  std::string label() const override;
   void build(const KernelBuilder& builder) override;
   void enqueue(FrameRun& run) override;
   std::uint64_t callerBytes(const Configuration& configuration) const override;

@@ -131,7 +131,7 @@ class BlockFitter::Implementation {
                                                             : defaultCacheDirectory());
     m_configuration.device = queryDeviceTraits(m_device, options.options.mapping);
     m_configuration.options = options.options;
-    const KernelBuilder builder(m_context, m_device, cache, m_configuration);
+    const DeviceKernelBuilder builder(m_context, m_device, cache, m_configuration);
     buildSolvers(builder);
     for (const auto format : {ComponentFormat::Float32, ComponentFormat::Float16}) {
       for (const auto& [image, values] : kImages)

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <quell/error.hpp>
@@ -24,7 +25,7 @@ enum class TimerMode {
 
 /// How per-pixel work is spread over work-items.
 enum class Mapping {
-  Automatic,  ///< Wide on CPU devices, Narrow elsewhere
+  Automatic,  ///< as measured by `quell tune-device`, else Wide on CPU devices, Narrow elsewhere
   Narrow,     ///< one pixel a work-item
   Wide,       ///< sixteen pixels of a row a work-item
 };
@@ -32,7 +33,8 @@ enum class Mapping {
 struct Options {
   TimerMode timers = TimerMode::Off;
   Mapping mapping = Mapping::Automatic;
-  /// Work-group of the per-pixel kernels, work-items in x and y; 0: chosen from what device and kernel allow.
+  /// Work-group of the per-pixel kernels, work-items in x and y; 0: as measured by `quell tune-device`,
+  /// else chosen from what device and kernel allow.
   std::array<int, 2> workGroup{0, 0};
   /// Work-items that share a block in the fit, a power of two up to 256; 0: chosen. Brought into the range of
   /// the kernel: 16 to 256 (`householder`) or 2 to 256 (`gram`), with the wide mapping 1 to 16 or 1.
@@ -76,6 +78,18 @@ struct MemoryUse {
   std::vector<Buffer> buffers;
 };
 
+/// What the latest frame left out because it is background (method quell with its setting `skip`).
+struct BackgroundMap {
+  int itemWidth = 0;                     ///< pixels of a row that one work-item takes, 1 or 16
+  int columns = 0;                       ///< work-items across
+  int rows = 0;                          ///< work-items down, one a row of pixels
+  std::vector<std::uint8_t> background;  ///< row by row; 1: all pixels of the work-item are background
+  std::vector<std::string> stages;       ///< those that leave them out, by their labels
+
+  /// Share of the work-items that are left out, 0 to 1.
+  double share() const;
+};
+
 /// Denoises a sequence of frames. One object serves one sequence on one queue; it may be used from several
 /// threads by turns, not at once. Objects are independent of each other. Destroying one while its work is
 /// pending is safe.
@@ -113,6 +127,10 @@ class Denoiser {
 
   /// Forgets all earlier frames, as a cut needs it. Does not block.
   void resetHistory();
+
+  /// What the latest frame left out; empty before the first frame after prepare() or resetHistory(), and for methods and
+  /// settings that leave out nothing. Blocks until that frame is done. Throws Error(DeviceError).
+  BackgroundMap backgroundMap() const;
 
   /// Device memory held since prepare(). It does not include the caller's images.
   MemoryUse memoryUse() const;

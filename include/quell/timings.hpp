@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct StageTimings {
   TimeStatistics time;  ///< sum over the stage's kernels
   StageEventTimes last;
   std::uint64_t bytesMoved = 0;  ///< bytes that the stage must read and write per frame, each counted once
+  std::string label = {};        ///< the stage's name, with what tells it from others of that name
+  /// Work left out over all work, 0 to 1; absent where it is not known, or nothing can be left out.
+  std::optional<double> skippedShare = {};
 };
 
 struct Timings {

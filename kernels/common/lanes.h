@@ -49,6 +49,14 @@ typedef struct float3L {
   floatL x, y, z;
 } float3L;
 
+// On GPUs short loops over arrays must be unrolled: an array that is indexed by a variable lies in memory, not in
+// registers. CPUs have it in a cache; there, unrolled code would only be longer.
+#if QUELL_LANES == 1
+#define UNROLL_ON_GPU _Pragma("unroll")
+#else
+#define UNROLL_ON_GPU
+#endif
+
 #define ZERO_LANES ((floatL)(0.0f))
 #define ONE_LANES ((floatL)(1.0f))
 

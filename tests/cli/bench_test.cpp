@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "host/cli/bench_compare.hpp"
 #include "host/cli/bench_plan.hpp"
+#include "host/cli/bench_sweeps.hpp"
 #include "host/cli/run_tool.hpp"
 #include "host/io/atomic_file.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -15,6 +17,7 @@ namespace quell::tests {
 namespace {
 
 using nlohmann::json;
+using namespace std::string_literals;
 
 const std::string kData = std::string(QUELL_DATA_DIR) + "/colonnade";
 
@@ -131,10 +134,10 @@ TEST_CASE("bench skips what the library refuses, size by size", "[cli]") {
 TEST_CASE("bench gives the output of denoise, and its errors, whatever runs beside", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.file("bench.json"), alone = directory.file("denoise.json");
-  REQUIRE(quell({"bench", "--solver", "gram,householder", "--input", kData, "--frames", "4", "--repeat", "1",
-                 "--json", file}) == 0);
-  REQUIRE(quell({"denoise", "--input", kData, "--frames", "4-7", "--set", "solver=householder", "--json",
-                 alone}) == 0);
+  REQUIRE(quell({"bench", "--methods", "bmfr", "--solver", "gram,householder", "--input", kData, "--frames",
+                 "4", "--repeat", "1", "--json", file}) == 0);
+  REQUIRE(quell({"denoise", "--method", "bmfr", "--input", kData, "--frames", "4-7", "--set",
+                 "solver=householder", "--json", alone}) == 0);
   const json run = readJson(file).at("runs").at(1), denoised = readJson(alone);
   CHECK(run.at("output_hash") == denoised.at("output_hash"));
   CHECK(run.at("settings") == denoised.at("settings"));
@@ -184,10 +187,116 @@ TEST_CASE("bench answers mistakes and leaves no file", "[cli]") {
   CHECK(refuses({"--input", directory.file("none")}));
   CHECK(refuses({"--size", "8x8", "--device", "no such device"}));
   CHECK(refuses({"--methods", "bmfr", "--solver", "householder", "--windows", "overlap", "--size", "8x8"}));
+  CHECK(refuses({"--sweep", "magic", "--size", "8x8"}));
+  CHECK(refuses({"--compare", directory.file("none"), "--size", "8x8"}));
+  CHECK(refuses({"--compare", kData + "/README.md", "--size", "8x8"}));
+  CHECK(refuses({"--operations", directory.file("none"), "--size", "8x8"}));
   CHECK(quell({"bench", "--size", "8x8", "--frames", "0"}) != 0);
   CHECK(quell({"bench", "--size", "8x8", "--repeat", "0"}) != 0);
   CHECK(directory.entryCount() == 0);
   CHECK(bench({"--size", "8x8", "--json", directory.file("missing/bench.json")}) == 1);
+}
+
+TEST_CASE("bench runs sweeps beside the main runs, on the first input or on sizes of their own", "[cli]") {
+  CHECK(namesOf(cli::planSweep("storage", {"svgf", "bmfr"})) ==
+        std::vector<std::string>{"bmfr solver=householder featureStorage=float",
+                                 "bmfr solver=householder featureStorage=half"});
+  CHECK(cli::planSweep("features", {"bmfr"}).size() == 2 * 5);
+  CHECK(cli::planSweep("iterations", {"svgf", "atrous"}).size() == 2 * 7);
+  CHECK(cli::sweepSizes("sizes").size() == 6);
+  CHECK(cli::sweepSizes("taa").empty());
+  CHECK_THROWS_AS(cli::planSweep("windows", {"atrous"}), Error);
+  for (const std::string& sweep : cli::sweepNames()) {
+    for (const cli::PlannedRun& run : cli::planSweep(sweep, methodNames())) {
+      CHECK(run.sweep == sweep);
+      Settings settings(run.method);
+      for (const auto& [setting, value] : run.assignments) CHECK_NOTHROW(settings.set(setting, value));
+    }
+  }
+}
+
+TEST_CASE("bench adds roofline, build times, sweeps and a page", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("bench.json"), counts = directory.file("counts.json");
+  constexpr double kPerPixel = 1000.0;
+  io::writeTextFile(counts, R"json({"atrous": {"tone_map": 1000, "atrous (step 1)": 1e9}})json");
+  REQUIRE(
+      bench({"--methods", "atrous", "--size", "64x48", "--sweep", "iterations", "--roofline", "--operations",
+             counts, "--build-times", "--json", file, "--html", directory.file("page")}) == 0);
+  const json result = readJson(file);
+  CHECK(result.at("fma_gflops").get<double>() > 0.0);
+  REQUIRE(result.at("runs").size() == 1 + 7);
+  const json &main = result.at("runs")[0], &swept = result.at("runs")[7];
+  CHECK(main.at("build_ms").at("cold").get<double>() > 0.0);
+  CHECK(main.at("build_ms").at("cached").get<double>() > 0.0);
+  CHECK_FALSE(main.contains("sweep"));
+  CHECK(swept.at("sweep") == "iterations");
+  CHECK(swept.at("assignments").at("iterations") == "7");
+  CHECK(main.at("round_medians_ms").size() == 1);
+  CHECK(main.at("frame_medians_ms").size() == 3);
+  const json& stages = main.at("stages");
+  CHECK(stages[1].at("label") == "atrous (step 1)");
+  CHECK(stages[2].at("label") == "atrous (step 2)");
+  const double flopsBound = 1e9 * 64 * 48 * 1e-6 / result.at("fma_gflops").get<double>();
+  CHECK(stages[1].at("bound_ms").get<double>() == Approx(flopsBound));
+  const double bytesBound = stages[2].at("bytes").get<double>() * 1e-6 / result.at("copy_gbs").get<double>();
+  CHECK(stages[2].at("bound_ms").get<double>() == Approx(bytesBound));
+  CHECK_FALSE(stages[2].contains("operations"));
+  CHECK(stages.back().at("operations").get<double>() == kPerPixel * 64 * 48);
+
+  const std::string page = io::readFile(directory.file("page") + "/index.html");
+  CHECK(contains(page, "</html>"));
+  CHECK(contains(page, "class Comparer"));
+  CHECK(contains(page, "A prediction, not a measurement"));
+  CHECK(contains(page, "\"sweep\":\"iterations\""));
+  CHECK_FALSE(contains(page, "@"s + "INCLUDE"));
+  CHECK_FALSE(contains(page, "@"s + "RESULTS"));
+}
+
+TEST_CASE("bench puts pictures of every method into the page", "[cli]") {
+  const TemporaryDirectory directory;
+  REQUIRE(quell({"bench", "--methods", "atrous", "--input", kData, "--frames", "4", "--repeat", "1", "--html",
+                 directory.path()}) == 0);
+  const std::string page = io::readFile(directory.file("index.html"));
+  for (const char* name : {"noisy", "reference", "atrous"})
+    CHECK(
+        contains(page, "\"name\":\"" + std::string(name) + "\",\"png\":\"data:image/png;base64,iVBORw0KGgo"));
+}
+
+namespace {
+
+// A result as far as comparisons read it.
+json resultOf(const std::vector<double>& rounds, double rmse, double ssim) {
+  const json errors = {
+      {{"frame", 3},
+       {"linear", {{"rmse", rmse}, {"unbiased_rmse", nullptr}, {"ssim", ssim}, {"flip", 0.1}}}}};
+  return {{"runs",
+           {{{"run", "bmfr"},
+             {"input", "room"},
+             {"width", 8},
+             {"height", 8},
+             {"copy_ms", 2.0},
+             {"round_medians_ms", rounds},
+             {"errors", errors},
+             {"temporal_error", 0.01}}}}};
+}
+
+}  // namespace
+
+TEST_CASE("bench says what changed beyond noise", "[cli]") {
+  const json before = resultOf({4.0, 4.4, 4.2}, 0.1, 0.8);
+  const auto compared = [&](const json& now) { return cli::compareBench(before, now, "old.json"); };
+  CHECK(compared(before) == "1 runs compared: 0 slower, 0 faster; 0 figures worse, 0 better\n");
+  CHECK(contains(compared(resultOf({4.6, 4.3, 4.5}, 0.1, 0.8)), " 0 slower, 0 faster"));
+  CHECK(contains(compared(resultOf({4.6, 4.7, 4.5}, 0.1, 0.8)),
+                 "slower: bmfr on room, 8x8: 2.2 to 2.4 copies"));
+  CHECK(contains(compared(resultOf({3.6, 3.7, 3.5}, 0.1, 0.8)), "faster: bmfr on room"));
+  CHECK(contains(compared(resultOf({4.2}, 0.102, 0.8)),
+                 "worse: bmfr on room, 8x8, frame 3: rmse 0.102, was 0.1"));
+  CHECK(contains(compared(resultOf({4.2}, 0.1, 0.78)), "worse: bmfr on room, 8x8, frame 3: ssim"));
+  CHECK(contains(compared(resultOf({4.2}, 0.09, 0.8)), " 0 figures worse, 1 better"));
+  CHECK(contains(compared({{"runs", json::array()}}), "0 runs compared"));
+  CHECK_THROWS_AS(cli::compareBench({{"runs", {{{"run", "bmfr"}}}}}, before, "old.json"), Error);
 }
 
 TEST_CASE("bench has a help text", "[cli]") { CHECK(quell({"bench", "--help"}) == 0); }

@@ -142,7 +142,7 @@ StageHarness::StageHarness(const std::string& stem, const StageSetup& setup)
   while (m_row < m_schedule.stages.size() && !isWanted(m_schedule.stages[m_row])) ++m_row;
   if (m_row == m_schedule.stages.size()) throw std::logic_error("this setup's schedule has no stage " + stem);
   m_schedule.stages[m_row].stage->build(
-      KernelBuilder(device.context, device.device, device.cache, m_configuration));
+      DeviceKernelBuilder(device.context, device.device, device.cache, m_configuration));
   allocate();
 }
 

@@ -1,0 +1,203 @@
+// Fills the page from the results.
+const RESULTS = JSON.parse(document.getElementById("results").textContent);
+const METRICS = {
+  unbiased_rmse: "unbiased RMSE", rmse: "RMSE", flip: "FLIP", ssim: "1 - SSIM", temporal: "temporal error",
+};
+const byId = id => document.getElementById(id);
+const keyOf = run => `${run.input}, ${run.width}x${run.height}`;
+const mean = values => values.length ? values.reduce((a, b) => a + b, 0) / values.length : null;
+const mainRuns = () => RESULTS.runs.filter(run => !run.sweep && keyOf(run) === byId("input").value);
+
+// A figure of one frame's errors; null where it was not measured.
+function figure(frame, metric) {
+  const value = frame.linear[metric];
+  return value === null || value === undefined ? null : metric === "ssim" ? 1 - value : value;
+}
+
+function errorOf(run, metric) {
+  if (metric === "temporal") return run.temporal_error ?? null;
+  return mean((run.errors || []).map(frame => figure(frame, metric)).filter(value => value !== null));
+}
+
+function fill(select, values, names = values) {
+  const before = select.value;
+  select.replaceChildren(...values.map((value, i) => new Option(names[i], value)));
+  if (values.includes(before)) select.value = before;
+}
+
+function replace(section, ...nodes) { document.querySelector(section).replaceChildren(...nodes); }
+
+function note(text) {
+  const p = document.createElement("p");
+  p.textContent = text;
+  return p;
+}
+
+function paretoOf(runs, metric) {
+  const methods = [...new Set(RESULTS.runs.map(run => run.method))];
+  const points = runs.map(run => ({
+    x: run.frame_ms.median, y: errorOf(run, metric), name: run.run, color: methods.indexOf(run.method),
+    text: `${run.run}: ${short(run.frame_ms.median)} ms, ${METRICS[metric]} ${errorOf(run, metric)}`,
+  })).filter(p => p.y !== null);
+  return points.length ? scatter(points, "ms per frame", METRICS[metric]) : note("This sequence has no references.");
+}
+
+function showPareto() { replace("#pareto .chart", paretoOf(mainRuns(), byId("metric").value)); }
+
+function stageText(stage, run) {
+  const share = stage.skipped_share === undefined ? "" : `, ${Math.round(100 * stage.skipped_share)} % of the tiles skipped`;
+  return `${stage.label}: ${short(stage.median_ms)} ms (${short(stage.min_ms)} to ${short(stage.max_ms)}), ` +
+      `${short(stage.bytes / 1e6)} MB, ${short(stage.gbs)} GB/s, ${Math.round(100 * stage.copy_share)} % of a copy's ` +
+      `bandwidth, at best ${short(stage.bound_ms)} ms${share} (${run.run})`;
+}
+
+function stagesOf(runs) {
+  return stackedBars(runs.map(run => ({
+    name: run.run,
+    parts: run.stages.map(stage => ({name: stage.name, value: stage.median_ms, text: stageText(stage, run)})),
+  })), "ms");
+}
+
+function showStages() { replace("#stages .chart", stagesOf(mainRuns())); }
+
+function showFrames() {
+  const metric = byId("metric").value, runs = mainRuns();
+  const times = runs.filter(run => run.frame_medians_ms.length)
+                    .map(run => ({name: run.run, points: run.frame_medians_ms.map((ms, i) => [i, ms])}));
+  replace("#frame-times", times.length ? lines(times, "frame", "ms") : note("This device's events carry no times."));
+  const errors = metric === "temporal" ? [] : runs.map(run => ({
+    name: run.run,
+    points: (run.errors || []).map(frame => [frame.frame, figure(frame, metric)]).filter(p => p[1] !== null),
+  })).filter(s => s.points.length);
+  replace("#frame-errors", errors.length ? lines(errors, "frame", METRICS[metric]) : note("No errors of single frames."));
+}
+
+// Settings that take different values within a sweep.
+function variedSettings(runs) {
+  const settings = [...new Set(runs.flatMap(run => Object.keys(run.assignments)))];
+  return settings.filter(setting => new Set(runs.map(run => run.assignments[setting])).size > 2);
+}
+
+// The x axis of a sweep: the size, or the values of its longest setting (numbers, or their place in the list); null
+// where a sweep only compares a few choices.
+function sweepAxis(runs, sweep) {
+  if (sweep === "sizes") return {name: "megapixels", of: run => run.width * run.height / 1e6, varied: []};
+  const varied = variedSettings(runs);
+  const values = [...new Set(runs.map(run => varied.map(setting => run.assignments[setting]).find(v => v !== undefined)))];
+  if (values.length < 4) return null;
+  const valueOf = run => varied.map(setting => run.assignments[setting]).find(v => v !== undefined);
+  const numeric = values.every(value => value !== undefined && !isNaN(value));
+  return {
+    name: numeric ? varied.join(", ") : values.map((value, i) => `${i + 1}: ${value}`).join("   "),
+    of: run => numeric ? Number(valueOf(run)) : values.indexOf(valueOf(run)) + 1,
+    varied,
+  };
+}
+
+function sweepSeries(runs, axis, value) {
+  const series = {};
+  for (const run of runs) {
+    const others = Object.entries(run.assignments).filter(([setting]) => !axis.varied.includes(setting));
+    const name = [run.method, ...others.map(pair => pair.join("="))].join(" ");
+    if (value(run) !== null) (series[name] ??= []).push([axis.of(run), value(run)]);
+  }
+  return Object.entries(series).map(([name, points]) => ({name, points: points.sort((a, b) => a[0] - b[0])}));
+}
+
+// Lines over the values of a setting, or one dot for each choice.
+function sweepCharts(runs, sweep, metric) {
+  const axis = sweepAxis(runs, sweep);
+  if (!axis) return runs.some(run => errorOf(run, metric) !== null) ? [paretoOf(runs, metric)] : [stagesOf(runs)];
+  const perPixel = sweep === "sizes";
+  const time = run => run.frame_ms.median / (perPixel ? axis.of(run) : 1);
+  const charts = [lines(sweepSeries(runs, axis, time), axis.name, perPixel ? "ms per megapixel" : "ms per frame")];
+  const errors = sweepSeries(runs, axis, run => errorOf(run, metric));
+  if (errors.length) charts.push(lines(errors, axis.name, METRICS[metric]));
+  return charts;
+}
+
+function showSweeps() {
+  const nodes = [];
+  for (const sweep of [...new Set(RESULTS.runs.map(run => run.sweep).filter(Boolean))]) {
+    const runs = RESULTS.runs.filter(run => run.sweep === sweep);
+    const title = document.createElement("h3");
+    title.textContent = sweep === "sizes" ? "sizes (built-in sequence)" : `${sweep} (${keyOf(runs[0])})`;
+    nodes.push(title, ...sweepCharts(runs, sweep, byId("metric").value));
+  }
+  byId("sweeps").hidden = !nodes.length;
+  replace("#sweeps .chart", ...nodes);
+}
+
+function showTable(table, head, rows) {
+  const row = (cells, tag) => {
+    const tr = document.createElement("tr");
+    for (const cell of cells) tr.append(Object.assign(document.createElement(tag), {textContent: cell}));
+    return tr;
+  };
+  table.replaceChildren(row(head, "th"), ...rows.map(cells => row(cells, "td")));
+}
+
+const cell = (value, digits = 4) => value === null || value === undefined ? "-" : Number(value).toPrecision(digits);
+
+function showRuns() {
+  showTable(document.querySelector("#table table"),
+            ["run", "sequence", "size", "frame ms", "least", "most", "copies", "MiB", "cold build ms", "cached build ms",
+             ...Object.values(METRICS)],
+            RESULTS.runs.map(run => [
+              run.run, run.input, `${run.width}x${run.height}`, cell(run.frame_ms.median), cell(run.frame_ms.min),
+              cell(run.frame_ms.max), cell(run.frame_ms.median / RESULTS.copy_ms, 3), (run.memory_bytes / 2 ** 20).toFixed(0),
+              cell(run.build_ms?.cold, 3), cell(run.build_ms?.cached, 3),
+              ...Object.keys(METRICS).map(metric => cell(errorOf(run, metric))),
+            ]));
+}
+
+function showModel() {
+  const model = RESULTS.model;
+  byId("model").hidden = !model.rows.length;
+  byId("model-note").textContent = model.note;
+  showTable(document.querySelector("#model table"), ["run at 1280x720", ...model.gpus.map(gpu => gpu.name)],
+            model.rows.map(row => [row.run, ...row.ms.map((ms, i) => row.published[i] ? `${ms.toFixed(2)} ms\npublished: ${row.published[i].replace("; ", "\n")}`
+                                                                                      : `${ms.toFixed(2)} ms`)]));
+}
+
+let comparer = null;
+
+function showPictures() {
+  const input = byId("input").value.replace(/, \d+x\d+$/, "");
+  const pictures = RESULTS.pictures.filter(picture => picture.input === input);
+  byId("pictures").hidden = !pictures.length;
+  if (!pictures.length) return;
+  const names = pictures.map(picture => picture.name);
+  const first = byId("left").options.length === 0;
+  fill(byId("left"), names);
+  fill(byId("right"), names);
+  if (first) byId("right").value = names.find(name => name !== "noisy" && name !== "reference") || names[0];
+  const url = name => pictures.find(picture => picture.name === name).png;
+  comparer ??= new Comparer(byId("comparer"));
+  comparer.show(url(byId("left").value), url(byId("right").value), url("reference"), byId("difference").checked);
+}
+
+function showFacts() {
+  const run = RESULTS.runs[0];
+  const rate = RESULTS.fma_gflops ? `, multiply-adds ${RESULTS.fma_gflops.toFixed(1)} GFLOP/s` : "";
+  byId("facts").textContent = `${run.device}, driver ${run.driver}; ${RESULTS.repeat} rounds after a warm-up; ` +
+      `copy bandwidth ${RESULTS.copy_gbs.toFixed(1)} GB/s (one copy: ${RESULTS.copy_ms.toFixed(3)} ms)${rate}`;
+}
+
+function showInput() {
+  showPareto();
+  showStages();
+  showFrames();
+  showPictures();
+}
+
+fill(byId("input"), [...new Set(RESULTS.runs.filter(run => !run.sweep).map(keyOf))]);
+fill(byId("metric"), Object.keys(METRICS), Object.values(METRICS));
+byId("input").addEventListener("change", showInput);
+byId("metric").addEventListener("change", () => { showPareto(); showFrames(); showSweeps(); });
+for (const id of ["left", "right", "difference"]) byId(id).addEventListener("change", showPictures);
+showFacts();
+showInput();
+showSweeps();
+showModel();
+showRuns();

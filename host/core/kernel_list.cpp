@@ -1,0 +1,37 @@
+#include "host/core/kernel_list.hpp"
+
+#include "host/core/stage.hpp"
+#include "host/methods/method.hpp"
+
+namespace quell {
+namespace {
+
+/// Writes down what it is asked for.
+class RecordingKernelBuilder : public KernelBuilder {
+ public:
+  RecordingKernelBuilder(const Configuration& configuration, std::vector<KernelUse>& uses)
+      : KernelBuilder(configuration), m_uses(uses) {}
+
+  std::size_t maxWorkGroup(const cl::Kernel&) const override { return configuration().device.maxWorkGroup; }
+
+ protected:
+  cl::Kernel compile(const std::string& stem, const std::string& options) const override {
+    m_uses.push_back({stem, options});
+    return {};
+  }
+
+ private:
+  std::vector<KernelUse>& m_uses;
+};
+
+}  // namespace
+
+std::vector<KernelUse> listKernels(const Configuration& configuration) {
+  std::vector<KernelUse> uses;
+  const RecordingKernelBuilder builder(configuration, uses);
+  const Schedule schedule = findMethod(configuration.settings.method()).makeSchedule(configuration);
+  for (const StageRow& row : schedule.stages) row.stage->build(builder);
+  return uses;
+}
+
+}  // namespace quell

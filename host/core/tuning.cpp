@@ -1,0 +1,58 @@
+#include "host/core/tuning.hpp"
+
+#include <sstream>
+
+namespace quell {
+namespace {
+
+constexpr char kFormat[] = "quell tuning 1";
+constexpr int kNarrowLanes = 1;
+constexpr int kWideLanes = 16;
+constexpr int kMostItems = 4096;  // of a work-group, along each axis
+constexpr int kMostFitGroup = 256;
+
+std::string keyOf(const std::string& deviceIdentity) { return std::string(kFormat) + "\n" + deviceIdentity; }
+
+bool isUsable(const StageTuning& tuning) {
+  const auto inRange = [](int value, int most) { return value >= 0 && value <= most; };
+  return (tuning.lanes == kNarrowLanes || tuning.lanes == kWideLanes) &&
+         inRange(tuning.workGroup[0], kMostItems) && inRange(tuning.workGroup[1], kMostItems) &&
+         inRange(tuning.fitGroup, kMostFitGroup) && (tuning.fitGroup & (tuning.fitGroup - 1)) == 0;
+}
+
+}  // namespace
+
+DeviceTuning readTuning(const DiskCache& disk, const std::string& deviceIdentity) {
+  const auto bytes = disk.read(keyOf(deviceIdentity));
+  if (!bytes) return {};
+  std::istringstream text(std::string(bytes->begin(), bytes->end()));
+  DeviceTuning tuning;
+  std::string format, stage;
+  std::getline(text, format);
+  for (StageTuning t; text >> stage >> t.lanes >> t.workGroup[0] >> t.workGroup[1] >> t.fitGroup;)
+    if (isUsable(t)) tuning[stage] = t;
+  return tuning;
+}
+
+void writeTuning(const DiskCache& disk, const std::string& deviceIdentity, const DeviceTuning& tuning) {
+  std::ostringstream text;
+  text << kFormat << '\n';
+  for (const auto& [stage, t] : tuning)
+    text << stage << ' ' << t.lanes << ' ' << t.workGroup[0] << ' ' << t.workGroup[1] << ' ' << t.fitGroup
+         << '\n';
+  const std::string bytes = text.str();
+  disk.write(keyOf(deviceIdentity), DiskCache::Bytes(bytes.begin(), bytes.end()));
+}
+
+void applyTuning(const DeviceTuning& tuning, const std::string& stage, Configuration& configuration) {
+  Options& options = configuration.options;
+  const bool chosen = options.mapping != Mapping::Automatic ||
+                      options.workGroup != std::array<int, 2>{0, 0} || options.fitGroup != 0;
+  const auto found = tuning.find(stage);
+  if (chosen || found == tuning.end()) return;
+  configuration.device.lanes = found->second.lanes;
+  options.workGroup = found->second.workGroup;
+  options.fitGroup = found->second.fitGroup;
+}
+
+}  // namespace quell

@@ -1,0 +1,32 @@
+// What was measured to be fastest on a device, stage by stage; kept beside the compiled kernels.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "host/core/disk_cache.hpp"
+#include "host/core/schedule.hpp"
+
+namespace quell {
+
+/// How one stage runs best.
+struct StageTuning {
+  int lanes = 1;                       ///< pixels per work-item, 1 or 16
+  std::array<int, 2> workGroup{0, 0};  ///< as Options::workGroup
+  int fitGroup = 0;                    ///< as Options::fitGroup
+};
+
+/// Stage name -> tuning; stages that are not in it run as everywhere.
+using DeviceTuning = std::map<std::string, StageTuning>;
+
+/// Of the device with this identity (see DeviceTraits); empty where nothing usable is kept.
+DeviceTuning readTuning(const DiskCache& disk, const std::string& deviceIdentity);
+/// Replaces what is kept; an empty one means that nothing was measured.
+void writeTuning(const DiskCache& disk, const std::string& deviceIdentity, const DeviceTuning& tuning);
+
+/// Puts a stage's tuning into the configuration that it is built with. Options that the caller has set stay: nothing
+/// changes unless mapping, work-group and fit group are all left to the library.
+void applyTuning(const DeviceTuning& tuning, const std::string& stage, Configuration& configuration);
+
+}  // namespace quell

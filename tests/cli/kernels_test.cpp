@@ -1,0 +1,70 @@
+// quell kernels: the list that offline compilers work from.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "host/cli/kernel_variants.hpp"
+#include "host/cli/run_tool.hpp"
+#include "host/io/atomic_file.hpp"
+#include "quell/quell.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace quell::tests {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kLanesOfGpus = 1;
+constexpr std::size_t kWorkGroup = 256;
+
+cli::KernelVariants variantsOf(const std::string& method, cli::ImageSets images) {
+  cli::KernelVariants variants;
+  cli::addKernelVariants(variants, method, images, kLanesOfGpus, kWorkGroup);
+  return variants;
+}
+
+bool hasOption(const cli::KernelVariants& variants, const std::string& stem, const std::string& option) {
+  return std::any_of(variants.begin(), variants.end(), [&](const auto& variant) {
+    return variant.first.first == stem && variant.first.second.find(option) != std::string::npos;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the list has every method, every choice of its settings and every image set", "[cli]") {
+  for (const std::string& method : methodNames()) {
+    INFO(method);
+    CHECK(hasOption(variantsOf(method, cli::ImageSets::Typical), "remodulate", "QUELL_LANES=1"));
+  }
+  const cli::KernelVariants typical = variantsOf("bmfr", cli::ImageSets::Typical);
+  for (const char* tile : {"GRAM_TILE_EDGE=8", "GRAM_TILE_EDGE=16", "GRAM_TILE_EDGE=32"})
+    CHECK(hasOption(typical, "gram_sums", tile));
+  for (const char* storage : {"FIT_STORAGE_HALF=0", "FIT_STORAGE_HALF=1"})
+    CHECK(hasOption(typical, "fit", storage));
+  for (const char* signals : {"QUELL_SIGNALS=1", "QUELL_SIGNALS=2"})
+    CHECK(hasOption(typical, "accumulate_noisy", signals));
+  CHECK_FALSE(hasOption(typical, "accumulate_noisy", "POSITION_IS_DEPTH=1"));
+  CHECK(hasOption(variantsOf("bmfr", cli::ImageSets::All), "accumulate_noisy", "POSITION_IS_DEPTH=1"));
+  CHECK_THROWS_AS(variantsOf("magic", cli::ImageSets::Typical), Error);
+}
+
+TEST_CASE("kernels writes options and complete sources", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("kernels.json");
+  const char* arguments[] = {"quell",     "kernels", "--methods", "atrous",
+                             "--mapping", "wide",    "--json",    file.c_str()};
+  REQUIRE(cli::runTool(8, arguments) == 0);
+  const json list = json::parse(io::readFile(file));
+  REQUIRE_FALSE(list.at("kernels").empty());
+  for (const json& kernel : list.at("kernels")) {
+    CHECK(kernel.at("methods") == json::array({"atrous"}));
+    CHECK(kernel.at("options").get<std::string>().find("-D QUELL_LANES=16") != std::string::npos);
+    const std::string source = list.at("sources").at(kernel.at("stem").get<std::string>());
+    CHECK(source.find("__kernel") != std::string::npos);
+    CHECK(source.find("#include \"") == std::string::npos);
+  }
+}
+
+}  // namespace quell::tests
