@@ -27,9 +27,14 @@ DRIVE = """<script>
   };
   const chart = name => document.querySelector(name).innerHTML;
   const wait = () => new Promise(done => setTimeout(done, 100));
+  // Pictures are decoded aside, in real time.
+  const until = async condition => {
+    for (let i = 0; i < 100 && !condition(); ++i) await wait();
+    return condition();
+  };
   const canvas = document.querySelector("#comparer canvas");
   const pixels = () => canvas.toDataURL();
-  await wait();
+  await until(() => comparer && comparer.right);
   checks.charts = ["#pareto", "#stages", "#frame-times", "#frame-errors", "#sweeps"]
       .every(name => document.querySelector(name + " svg"));
   checks.tables = document.querySelectorAll("#table tr").length === RESULTS.runs.length + 1 &&
@@ -41,9 +46,8 @@ DRIVE = """<script>
   checks.pictures = names.includes("noisy") && names.includes("reference") && names.length >= 4;
   const first = pixels();
   change("right", names.find(name => !["noisy", "reference", byId("right").value].includes(name)));
-  await wait();
+  checks.method = await until(() => pixels() !== first);
   const second = pixels();
-  checks.method = second !== first;
   const slider = document.querySelector("#comparer input");
   slider.value = 100;
   slider.dispatchEvent(new Event("input"));
@@ -54,8 +58,7 @@ DRIVE = """<script>
   byId("difference").checked = true;
   byId("difference").dispatchEvent(new Event("change"));
   const shown = pixels();
-  await wait();
-  checks.difference = pixels() !== shown;
+  checks.difference = await until(() => pixels() !== shown);
   checks.problems = problems.length === 0 ? true : problems.join("; ");
   const result = document.createElement("pre");
   result.id = "checks";
