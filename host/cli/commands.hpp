@@ -15,5 +15,6 @@ void addFBetaCommand(CLI::App& app);
 void addSelectFeaturesCommand(CLI::App& app);
 void addStressCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
+void addTuneCommand(CLI::App& app);
 
 }  // namespace quell::cli

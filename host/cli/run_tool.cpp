@@ -21,6 +21,7 @@ int runTool(int argc, const char* const* argv) {
   addSelectFeaturesCommand(app);
   addStressCommand(app);
   addRenderCommand(app);
+  addTuneCommand(app);
   addDemoCommand(app);
   try {
     app.parse(argc, argv);
