@@ -17,5 +17,6 @@ void addSelectFeaturesCommand(CLI::App& app);
 void addStressCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addTuneDeviceCommand(CLI::App& app);
+void addTuneCommand(CLI::App& app);
 
 }  // namespace quell::cli

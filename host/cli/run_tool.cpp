@@ -23,6 +23,7 @@ int runTool(int argc, const char* const* argv) {
   addStressCommand(app);
   addRenderCommand(app);
   addTuneDeviceCommand(app);
+  addTuneCommand(app);
   addDemoCommand(app);
   try {
     app.parse(argc, argv);
