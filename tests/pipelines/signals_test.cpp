@@ -125,7 +125,7 @@ TEST_CASE("negative emission counts as none", "[pipelines]") {
 TEST_CASE("small work-groups of the fit give the same picture", "[pipelines]") {
   const auto sequence = analyticSequence(97, 61, 2);
   for (const char* solver : {"householder", "gram"}) {
-    Settings settings;
+    Settings settings("bmfr");
     settings.set("solver", solver);
     std::string first;
     for (const int group : {64, 8, 1}) {

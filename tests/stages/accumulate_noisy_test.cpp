@@ -108,7 +108,7 @@ TEST_CASE("accumulate_noisy of two signals equals two runs of one") {
   const auto expected = both.outputs();
   const MaterialVariant alone[] = {{true, true, false}, {false, false, true}};
   for (const int signal : {0, 1}) {
-    AccumulateNoisyCase one(options, {alone[signal], false, true});
+    AccumulateNoisyCase one(options, {alone[signal], false, true, false, false, false, true});
     one.inputs = inputsOfSignal(both.inputs, signal);
     one.upload();
     one.run();

@@ -11,10 +11,10 @@ using namespace quell::tests;
 namespace {
 
 constexpr double kFullTile = double(QUELL_CHANGE_TILE) * QUELL_CHANGE_TILE;
-// Of noise alone: a difference of 2.2 standard deviations makes a weight of 0.2; 2.8 % of a normal distribution are
-// beyond it, and two windows are looked at (0.044 and a mean of 0.020 measured).
-constexpr double kNoticedShare = 0.06;
-constexpr double kMeanNoiseWeight = 0.03;
+// Of noise alone: a difference of 1.7 standard deviations makes a weight of 0.2; 8 % of a normal distribution are
+// beyond it, and two windows are looked at (0.126 and a mean of 0.060 measured).
+constexpr double kNoticedShare = 0.15;
+constexpr double kMeanNoiseWeight = 0.075;
 
 CaseMaker maker(int signals) {
   return
