@@ -7,6 +7,7 @@
 #include "tests/cases/accumulate_filtered_case.hpp"
 #include "tests/cases/accumulate_noisy_case.hpp"
 #include "tests/cases/atrous_case.hpp"
+#include "tests/cases/background_case.hpp"
 #include "tests/cases/blended_sum_case.hpp"
 #include "tests/cases/change_sums_case.hpp"
 #include "tests/cases/change_weight_case.hpp"
@@ -62,6 +63,7 @@ void addImageStages(std::vector<StageEntry>& entries, const std::string& variant
   entries.push_back(entry<tests::RemodulateCase>("remodulate." + variant, mapping, layout, kFullMaterial));
   entries.push_back(
       entry<tests::RemodulateCase>("remodulate.two_signals_" + variant, mapping, layout, tests::kTwoSignals));
+  entries.push_back(entry<tests::BackgroundCase>("background." + variant, mapping, layout));
   entries.push_back(entry<tests::ToneMapCase>("tone_map.last_" + variant, mapping, layout, true));
   entries.push_back(
       entry<tests::TemporalAntialiasingCase>("temporal_antialiasing." + variant, mapping, layout));

@@ -14,12 +14,16 @@
 QUELL_INLINE float3L backgroundRadiance(MATERIAL_ARGUMENTS, MaterialParams params, int x, int y, int lanes) {
 #if !DEMODULATED && QUELL_SIGNALS == 1
   const float3L radiance = LOAD_PIXELS(RADIANCE, radianceData, params.radiance, x, y, lanes);
-  if (!anyLane(!isFinite3(radiance))) return radiance;
+  const intL whole = isFinite3(radiance);
+  if (!anyLane(!whole)) return radiance;
 #endif
   const Material material = LOAD_MATERIAL(params, splat3(1.0f), x, y, lanes);
   float3L sum = material.emission;
   for (int s = 0; s < QUELL_SIGNALS; ++s)
     sum = add3(sum, multiply3(material.signals[s].tint, material.signals[s].value));
+#if !DEMODULATED && QUELL_SIGNALS == 1
+  sum = select3(whole, radiance, sum);
+#endif
   return sum;
 }
 

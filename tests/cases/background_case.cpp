@@ -1,0 +1,94 @@
+#include "tests/cases/background_case.hpp"
+
+#include <algorithm>
+
+#include "tests/cases/material_inputs.hpp"
+#include "tests/support/random_images.hpp"
+
+namespace quell::tests {
+namespace {
+
+constexpr double kShareOfSurfaces = 0.3;
+
+StageSetup makeBackgroundSetup(const CaseOptions& options) {
+  StageSetup setup = makeSetup(options);
+  setup.settings = Settings("quell");
+  setMaterialViews(setup, {true, false, false, false}, options.layout);
+  setup.output.linear = makeView(options.layout, options.size);
+  setup.output.display = makeView(options.layout, options.size);
+  return setup;
+}
+
+// Radiance of which emission is a part, as a renderer gives it.
+BackgroundInputs randomInputs(Size size, unsigned seed) {
+  const MaterialImages material = randomMaterial({true, false, false, false}, size, seed);
+  return {material.radiance, material.emission};
+}
+
+Planes outputPlanes(const StageHarness& harness, ImageView Output::*image) {
+  const io::Image pixels = harness.output(image);
+  Planes planes(harness.size(), 3);
+  forEachPixel(harness.size(), [&](int x, int y) {
+    for (int c = 0; c < 3; ++c) planes.at(c, x, y) = pixels.at(x, y, c);
+  });
+  return planes;
+}
+
+}  // namespace
+
+BackgroundCase::BackgroundCase(const CaseOptions& options)
+    : StageCase("background", makeBackgroundSetup(options)),
+      inputs(randomInputs(options.size, options.seed)),
+      m_layout(options.layout),
+      m_lanes(m_harness.configuration().device.lanes),
+      m_columns((options.size.width + m_lanes - 1) / m_lanes) {
+  surfaces = Planes({m_columns, options.size.height}, 1);
+  Random random(options.seed + 1);
+  for (float& surface : surfaces.values) surface = random.uniform() < kShareOfSurfaces ? 1.0f : 0.0f;
+  surfaces.values.front() = 0.0f;  // an image of one pixel has something to show
+}
+
+bool BackgroundCase::hasSurface(int column, int row) const {
+  return column >= 0 && row >= 0 && column < m_columns && row < size().height &&
+         surfaces.at(0, column, row) != 0.0f;
+}
+
+bool BackgroundCase::isBackground(int x, int y) const { return !hasSurface(x / m_lanes, y); }
+
+bool BackgroundCase::isNearSurface(int x, int y) const {
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (hasSurface(x / m_lanes + dx, y + dy)) return true;
+  return false;
+}
+
+void BackgroundCase::upload() {
+  uploadImage(m_harness, &Frame::radiance, inputs.radiance);
+  uploadImage(m_harness, &Frame::emission, inputs.emission);
+  m_harness.upload("surfaces", surfaces);
+  const Planes untouched(size(), 3, -1.0f);
+  m_harness.upload("encoded", untouched);
+  m_harness.upload("antialiased", untouched);
+  m_harness.clearOutput(&Output::linear);
+  m_harness.clearOutput(&Output::display);
+}
+
+Comparison BackgroundCase::compare() {
+  Comparison comparison;
+  const BackgroundExact exact = backgroundOracle(inputs);
+  BasicPlanes<char> surface(size(), 1);
+  forEachPixel(size(), [&](int x, int y) { surface.at(0, x, y) = char(!isBackground(x, y)); });
+  ExactPlanes scales(size(), 3);
+  std::transform(exact.linear.values.begin(), exact.linear.values.end(), scales.values.begin(),
+                 [](double value) { return std::max(value, 1e-3); });
+  comparePixels(comparison, "linear", outputPlanes(m_harness, &Output::linear), exact.linear, &surface,
+                &scales);
+  comparePixels(comparison, "display", outputPlanes(m_harness, &Output::display), exact.encoded, &surface);
+  comparePixels(comparison, "antialiased", antialiased(), exact.encoded, &surface);
+  forEachPixel(
+      size(), [&](int x, int y) { surface.at(0, x, y) = char(!isBackground(x, y) || !isNearSurface(x, y)); });
+  comparePixels(comparison, "encoded", encoded(), exact.encoded, &surface);
+  return comparison;
+}
+
+}  // namespace quell::tests

@@ -1,0 +1,38 @@
+// Case of the stage background.
+#pragma once
+
+#include "tests/cases/stage_case.hpp"
+#include "tests/oracle/background_oracle.hpp"
+
+namespace quell::tests {
+
+/// Of linear radiance, relative; of encoded radiance that of tone_map.
+constexpr double kBackgroundTolerance = 3e-7;
+
+class BackgroundCase : public StageCase {
+ public:
+  /// The caller's images are in options.layout, the method is quell with temporal antialiasing.
+  explicit BackgroundCase(const CaseOptions& options);
+
+  BackgroundInputs inputs;
+  Planes surfaces;  ///< one value a work-item, not 0 where it has a surface
+
+  bool isBackground(int x, int y) const;
+  /// Whether a work-item with a surface is next to this pixel's.
+  bool isNearSurface(int x, int y) const;
+
+  void upload() override;
+  Comparison compare() override;
+  double tolerance() const override { return kBackgroundTolerance + storageError(m_layout); }
+  Planes encoded() const { return m_harness.download("encoded"); }
+  Planes antialiased() const { return m_harness.download("antialiased"); }
+
+ private:
+  bool hasSurface(int column, int row) const;
+
+  ImageLayout m_layout;
+  int m_lanes = 1;
+  int m_columns = 1;
+};
+
+}  // namespace quell::tests

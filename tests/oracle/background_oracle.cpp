@@ -1,0 +1,38 @@
+#include "tests/oracle/background_oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/oracle/tone_map_oracle.hpp"
+
+namespace quell::tests {
+namespace {
+
+constexpr double kMostRadiance = 65504.0;  // the largest finite half
+
+bool isWhole(const io::Image& image, int x, int y) {
+  for (int c = 0; c < 3; ++c)
+    if (!std::isfinite(image.at(x, y, c))) return false;
+  return true;
+}
+
+}  // namespace
+
+BackgroundExact backgroundOracle(const BackgroundInputs& inputs) {
+  const Size size{inputs.radiance.width, inputs.radiance.height};
+  BackgroundExact exact{ExactPlanes(size, 3), ExactPlanes(size, 3)};
+  forEachPixel(size, [&](int x, int y) {
+    const bool emissionWhole = isWhole(inputs.emission, x, y);
+    const bool whole = isWhole(inputs.radiance, x, y);
+    for (int c = 0; c < 3; ++c) {
+      const double left = emissionWhole ? inputs.emission.at(x, y, c) : 0.0;
+      const double radiance =
+          std::clamp(whole ? double(inputs.radiance.at(x, y, c)) : left, 0.0, kMostRadiance);
+      exact.linear.at(c, x, y) = radiance;
+      exact.encoded.at(c, x, y) = encodeDisplayExact(radiance);
+    }
+  });
+  return exact;
+}
+
+}  // namespace quell::tests
