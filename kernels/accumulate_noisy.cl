@@ -8,6 +8,8 @@
 // Out:     per signal: irradiance (3 planes), history length (bytes), reprojection mask (bytes) and, with MOMENTS, the
 //          moments of luminance (2 planes); guides (see common/guides.h); pixel index in the frame before (2 planes);
 //          F_beta (3 planes) where light is divided by it;
+//          with INNOVATION the newest sample (3 planes, -1 where it is missing) and its luminance minus that of the
+//          history (1 plane, 0 where one of them is missing); with SKIP `surfaces` (see common/surfaces.h);
 //          with FILTER_GUIDES view depth (1 plane) and, where the caller has it, roughness (1 plane); where the caller
 //          has them, object ids (1 plane).
 // Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded and limited: a
@@ -89,7 +91,8 @@ QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL
   blended = select3(sample.present || hasHistory, blended, splat3(0.0f));
   storeLanes3(blended, irradiance, 0, stride);
 #if INNOVATION
-  storeLanes3(select3(sample.present, sample.irradiance, blended), newestIrradiance, 0, stride);
+  // Irradiance is never negative: -1 stands for a missing sample.
+  storeLanes3(select3(sample.present, sample.irradiance, splat3(-1.0f)), newestIrradiance, 0, stride);
   const floatL step = luminance(sample.irradiance) - luminance(history.irradiance);
   storeLanes(sample.present && hasHistory ? step : ZERO_LANES, innovation);
 #endif
@@ -119,6 +122,10 @@ QUELL_INLINE void storeBackground(AccumulateNoisyParams params, __global const u
     storeLanes(ZERO_LANES, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
     storeByteLanes((intL)(0), historyLength + s * stride + index);
   }
+#if MOTION_FORMAT
+  // How far a surface has turned is told by normals alone: those of earlier frames must not take part.
+  storeLanes3(splat3(0.0f), guides + QUELL_GUIDE_NORMAL * stride, index, stride);
+#endif
 #if FILTER_GUIDES
   storeLanes((floatL)(params.reprojection.viewDepth.w), viewDepth + index);
 #endif

@@ -17,11 +17,11 @@ typedef struct AccumulateNoisyParams {
   MaterialParams material;
   SurfaceParams surface;
   MotionParams motion;
-  QuellFloat leastWeight;    // least weight of the newest sample, (0, 1]
-  QuellInt mostFrames;       // longest history, frames, 1 to QUELL_MAX_HISTORY_LENGTH
-  QuellInt mostFramesStill;  // the same of pixels that lie where they lay in the frame before
-  QuellInt jitters;  // whether this frame or the one before is sampled off the pixel centres; only with SKIP
+  QuellFloat leastWeight;         // least weight of the newest sample, (0, 1]
   QuellFloat momentsLeastWeight;  // the same for the moments of luminance
+  QuellInt mostFrames;            // longest history, frames, 1 to QUELL_MAX_HISTORY_LENGTH
+  QuellInt mostFramesStill;       // the same of pixels that lie where they lay in the frame before
+  QuellInt jitters;  // whether this frame or the one before is sampled off the pixel centres; only with SKIP
 } AccumulateNoisyParams;
 
 QUELL_NAMESPACE_END

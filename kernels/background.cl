@@ -10,9 +10,12 @@
 #include "common/material.h"
 #include "common/surfaces.h"
 
-// Radiance of the background: as it is, emission included; where it is broken, what remains of it.
+// With nothing to take out and add back, radiance is the result.
+#define RADIANCE_IS_ALL (!DEMODULATED && QUELL_SIGNALS == 1 && !EMISSION_FORMAT)
+
+// Radiance of the background, as remodulate has it.
 QUELL_INLINE float3L backgroundRadiance(MATERIAL_ARGUMENTS, MaterialParams params, int x, int y, int lanes) {
-#if !DEMODULATED && QUELL_SIGNALS == 1
+#if RADIANCE_IS_ALL
   const float3L radiance = LOAD_PIXELS(RADIANCE, radianceData, params.radiance, x, y, lanes);
   const intL whole = isFinite3(radiance);
   if (!anyLane(!whole)) return radiance;
@@ -21,7 +24,7 @@ QUELL_INLINE float3L backgroundRadiance(MATERIAL_ARGUMENTS, MaterialParams param
   float3L sum = material.emission;
   for (int s = 0; s < QUELL_SIGNALS; ++s)
     sum = add3(sum, multiply3(material.signals[s].tint, material.signals[s].value));
-#if !DEMODULATED && QUELL_SIGNALS == 1
+#if RADIANCE_IS_ALL
   sum = select3(whole, radiance, sum);
 #endif
   return sum;

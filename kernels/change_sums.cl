@@ -3,7 +3,7 @@
 //          (Zhdan 2021, ReBLUR and ReLAX); here the noise of the difference is measured along with it.
 // In:      innovation (1 plane per signal: luminance of the sample minus that of its history), history length (bytes
 //          per signal; 1 or less: no history), sums of the frame before.
-// Out:     per signal and tile: pixels compared, sum and sum of squares of their differences, plus the share sumsKept
+// Out:     per signal and tile: pixels with a history (a missing sample counts with a difference of 0), sum and sum of squares of their differences, plus the share sumsKept
 //          of the sums of the frame before. Tiles do not move with the camera: a tile is wide against one frame's
 //          motion, and what is kept fades.
 // Border:  pixels outside the image are left out.

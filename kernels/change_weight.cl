@@ -1,6 +1,7 @@
 // change_weight: the weight that the newest samples deserve in a tile, from how surely its light has changed.
 // Source:  ours. Over a window the mean difference d between samples and history has the variance v of a mean of
-//          independent differences; d^2 / v is 1 on average where nothing changed. What exceeds the threshold is taken
+//          independent differences; d^2 / v is 1 on average where nothing changed
+//          (less where sums of earlier frames are kept, which count as if they were of this one). What exceeds the threshold is taken
 //          for the squared bias b^2 of the history, in the same units. The mean squared error of a blend,
 //          (1 - w)^2 b^2 + w^2 c, is least at w = b^2 / (b^2 + c); c, the noise that one frame has left after the
 //          filter, is the setting changeGain.

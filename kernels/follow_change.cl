@@ -1,8 +1,8 @@
 // follow_change: gives the newest sample more weight in its history where the light has changed, and shortens that
 //          history to what it is still worth.
 // Source:  ours; the weights are those of change_weight, interpolated between the centres of tiles.
-// In:      weights (1 float per tile and signal), newest irradiance (3 planes per signal; where there was no sample,
-//          the blended one).
+// In:      weights (1 float per tile and signal), newest irradiance (3 planes per signal; -1 where there was no
+//          sample: such a pixel stays as it is).
 // In/out:  irradiance (3 planes per signal), moments of luminance (2 planes per signal) and history length (bytes per
 //          signal) as accumulate_noisy left them. Where the weight there was as large, nothing is touched.
 // Border:  weights beyond the last centre of a tile stay constant.
@@ -89,10 +89,10 @@ __kernel void follow_change(__global const float* weights, __global const float*
     const intL frames = loadByteLanes(length);
     const floatL cumulative = 1.0f / TO_FLOAT(maxLanesInt(frames, (intL)(1)));
     const floatL given = maxLanes(cumulative, (floatL)(params.leastWeight));
-    const intL changed = wanted > given;
+    const float3L newest = loadLanes3(newestIrradiance + 3 * s * stride, index, stride);
+    const intL changed = wanted > given && newest.x >= 0.0f;
     if (!anyLane(changed)) continue;
     const floatL share = changed ? shareFor(wanted, given) : ZERO_LANES;
-    const float3L newest = loadLanes3(newestIrradiance + 3 * s * stride, index, stride);
     float3L blended = loadLanes3(irradiance + 3 * s * stride, index, stride);
     blended.x = towards(blended.x, newest.x, share);
     blended.y = towards(blended.y, newest.y, share);

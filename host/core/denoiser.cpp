@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <deque>
+#include <mutex>
 #include <quell/denoiser.hpp>
 #include <utility>
 
@@ -122,6 +123,26 @@ class StageRun : public FrameRun {
   bool m_last;
 };
 
+using EventChain = std::vector<std::pair<std::size_t, cl::Event>>;
+
+/// Keeps the chains of frames that have failed, or are still pending when their denoiser goes; see keepUntilDone().
+void outliveDenoiser(std::deque<EventChain> chains) noexcept {
+  static std::mutex mutex;
+  static auto* const kept =
+      new std::deque<EventChain>;  // never destroyed: a runtime may outlive static objects
+  try {
+    const std::lock_guard<std::mutex> lock(mutex);
+    const auto isDone = [](const EventChain& chain) {
+      return chain.back().second.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() == CL_COMPLETE;
+    };
+    kept->erase(std::remove_if(kept->begin(), kept->end(), isDone), kept->end());
+    for (EventChain& chain : chains)
+      if (!isDone(chain)) kept->push_back(std::move(chain));
+  } catch (...) {
+    // Nothing that a caller could do about it.
+  }
+}
+
 /// Stand-ins for the caller's images while kernels are launched for the first time.
 class WarmUpImages {
  public:
@@ -167,6 +188,8 @@ class Denoiser::Implementation {
     m_configuration.device = queryDeviceTraits(m_device, options.mapping);
     m_outOfOrder = (m_queue.getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE) != 0;
   }
+
+  ~Implementation() { outliveDenoiser(std::move(m_chains)); }
 
   void prepare(const Frame& frame, const Output& output) {
     unprepare();
@@ -234,9 +257,9 @@ class Denoiser::Implementation {
     map.columns = (m_configuration.size().width + lanes - 1) / lanes;
     map.rows = m_configuration.size().height;
     map.background.resize(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows));
-    const std::vector<cl::Event> after{m_lastEvent};
+    m_lastEvent.wait();  // a read that waited for a failed frame would never end on some runtimes
     m_queue.enqueueReadBuffer(m_buffers.get(kSurfacesBuffer, 0), CL_TRUE, 0, map.background.size(),
-                              map.background.data(), &after);
+                              map.background.data());
     for (std::uint8_t& flag : map.background) flag = flag == 0 ? 1 : 0;
     return map;
   }
@@ -291,14 +314,28 @@ class Denoiser::Implementation {
     m_prepared = false;
     if (m_lastEvent() != nullptr) clWaitForEvents(1, &m_lastEvent());  // a failed frame is done, too
     m_lastEvent = cl::Event();
+    m_frameIndex = 0;
     m_timer.reset();
+    m_schedule = Schedule();
+    m_stageConfigurations.clear();
     m_buffers = BufferSet();
     m_configuration.fBetaTable = cl::Buffer();
   }
 
   // A frame that failed leaves no history, and nothing may wait for it: that would fail as well.
   void forgetFailedFrame() {
-    if (m_lastEvent() == nullptr || m_lastEvent.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() >= 0) return;
+    const auto failed = [](const cl::Event& event) {
+      return event() != nullptr && event.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() < 0;
+    };
+    const auto firstFailed =
+        std::stable_partition(m_chains.begin(), m_chains.end(),
+                              [&](const EventChain& chain) { return !failed(chain.back().second); });
+    if (firstFailed != m_chains.end()) {
+      m_frameIndex = 0;
+      outliveDenoiser({firstFailed, m_chains.end()});
+      m_chains.erase(firstFailed, m_chains.end());
+    }
+    if (!failed(m_lastEvent)) return;
     m_lastEvent = cl::Event();
     m_frameIndex = 0;
   }
@@ -325,6 +362,7 @@ class Denoiser::Implementation {
       // Whatever was enqueued still runs: later frames come after it, and start afresh.
       if (commands.lastEvent()() != nullptr) m_lastEvent = commands.lastEvent();
       m_frameIndex = 0;
+      if (chain) keepUntilDone(commands.events());
       throw;
     }
     m_lastEvent = commands.lastEvent();
@@ -339,7 +377,7 @@ class Denoiser::Implementation {
 
   // Some runtimes touch events of a chain that fails after they have given them back (PoCL 3.1), so that references of
   // our own must outlast the failure.
-  void keepUntilDone(const std::vector<std::pair<std::size_t, cl::Event>>& events) {
+  void keepUntilDone(const EventChain& events) {
     while (!m_chains.empty() &&
            m_chains.front().back().second.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() <= CL_COMPLETE)
       m_chains.pop_front();
@@ -391,7 +429,7 @@ class Denoiser::Implementation {
   BufferSet m_buffers;
   std::unique_ptr<FrameTimer> m_timer;
   cl::Event m_lastEvent;
-  std::deque<std::vector<std::pair<std::size_t, cl::Event>>> m_chains;  // of frames that may still be pending
+  std::deque<EventChain> m_chains;  // of frames that may still be pending
   std::uint32_t m_frameIndex = 0;
   bool m_outOfOrder = false;
   bool m_prepared = false;

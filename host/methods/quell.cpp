@@ -180,7 +180,7 @@ std::vector<BufferSpec> buffers(const Configuration& configuration) {
       transient("roughness", f32, 1),
       transient("newestIrradiance", f32, 3 * signals),
       transient("innovation", f32, signals),
-      {"changeSums", f32, 0, tiles * QUELL_CHANGE_RECORD, true},
+      {"changeSums", f32, 0, tiles * QUELL_CHANGE_RECORD, followsChange(configuration.settings)},
       elements("changeWeights", tiles),
       transient("variance", f32, signals),
       {kSurfacesBuffer, Element::UInt8, 0, surfaceCount(configuration), false},

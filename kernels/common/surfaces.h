@@ -2,7 +2,7 @@
 //
 // `surfaces` has one byte a work-item of the per-pixel kernels, QUELL_LANES pixels of a row: 0 where accumulate_noisy
 // found nothing but background in them. What it writes there is the least that others look at: weight, history length,
-// view depth. Everything else keeps finite values of earlier frames, which count for nothing.
+// view depth; with motion vectors normals; with jittered rays where the background was. Everything else keeps finite values of earlier frames, which count for nothing.
 #ifndef QUELL_COMMON_SURFACES_H
 #define QUELL_COMMON_SURFACES_H
 

@@ -191,7 +191,7 @@ void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int
   const Vector3d blended = blend * sample.value + (1.0 - blend) * history.irradiance;
   for (int c = 0; c < 3; ++c) {
     outputs.irradiance.at(3 * signal + c, x, y) = blended[c];
-    outputs.newestIrradiance.at(3 * signal + c, x, y) = present ? sample.value[c] : blended[c];
+    outputs.newestIrradiance.at(3 * signal + c, x, y) = present ? sample.value[c] : -1.0;
   }
   if (present && history.weight > 0.0)
     outputs.innovation.at(signal, x, y) = luminance(sample.value - history.irradiance);

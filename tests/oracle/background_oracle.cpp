@@ -23,11 +23,13 @@ BackgroundExact backgroundOracle(const BackgroundInputs& inputs) {
   BackgroundExact exact{ExactPlanes(size, 3), ExactPlanes(size, 3)};
   forEachPixel(size, [&](int x, int y) {
     const bool emissionWhole = isWhole(inputs.emission, x, y);
-    const bool whole = isWhole(inputs.radiance, x, y);
+    const bool whole = isWhole(inputs.radiance, x, y) && emissionWhole;
     for (int c = 0; c < 3; ++c) {
-      const double left = emissionWhole ? inputs.emission.at(x, y, c) : 0.0;
-      const double radiance =
-          std::clamp(whole ? double(inputs.radiance.at(x, y, c)) : left, 0.0, kMostRadiance);
+      const double emission =
+          emissionWhole ? std::clamp<double>(inputs.emission.at(x, y, c), 0.0, kMostRadiance) : 0.0;
+      const double signal =
+          whole ? std::clamp(inputs.radiance.at(x, y, c) - emission, 0.0, kMostRadiance) : 0.0;
+      const double radiance = std::min(signal + emission, kMostRadiance);
       exact.linear.at(c, x, y) = radiance;
       exact.encoded.at(c, x, y) = encodeDisplayExact(radiance);
     }

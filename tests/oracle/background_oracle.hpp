@@ -16,8 +16,8 @@ struct BackgroundExact {
   ExactPlanes encoded;  ///< 3 planes
 };
 
-/// What every pixel would be as background: radiance as it is; where a component is broken, what is left is emission,
-/// and nothing where that is broken as well.
+/// What every pixel would be as background: radiance without emission, not below 0, plus emission; where a component of
+/// either is broken, what is left is the emission, and nothing where it is that.
 BackgroundExact backgroundOracle(const BackgroundInputs& inputs);
 
 }  // namespace quell::tests

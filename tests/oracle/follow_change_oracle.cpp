@@ -43,7 +43,7 @@ void followSignal(const FollowChangeInputs& inputs, FollowChangeExact& exact, in
   const double wanted = weightAt(inputs, signal, x, y);
   char& undecided = exact.undecided.at(0, x, y);
   undecided = char(undecided || std::abs(wanted - given) < kWeightRounding);
-  if (wanted <= given) return;
+  if (wanted <= given || inputs.newestIrradiance.at(3 * signal, x, y) < 0.0f) return;
   exact.touched.at(signal, x, y) = 1;
   double newest[3];
   for (int c = 0; c < 3; ++c) {

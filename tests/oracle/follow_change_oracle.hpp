@@ -8,7 +8,7 @@ namespace quell::tests {
 
 struct FollowChangeInputs {
   Planes weights;           ///< of change_weight, signal by signal, row by row
-  Planes newestIrradiance;  ///< 3 planes a signal
+  Planes newestIrradiance;  ///< 3 planes a signal; -1 where there is no sample
   Planes irradiance;        ///< 3 planes a signal
   Planes moments;           ///< 2 planes a signal
   Planes historyLength;     ///< 1 plane a signal

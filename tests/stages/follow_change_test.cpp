@@ -151,3 +151,18 @@ TEST_CASE("follow_change of the most extreme light stays between history and new
     for (const float moment : outputs.moments.values) CHECK((moment >= 0.0f && std::isfinite(moment)));
   }
 }
+
+TEST_CASE("follow_change leaves pixels without a sample alone") {
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    CaseOptions options;
+    options.size = {61, 40};
+    options.mapping = mapping;
+    FollowChangeCase follow(options, 2);
+    for (int plane = 0; plane < follow.inputs.newestIrradiance.count; ++plane)
+      for (int y = 0; y < options.size.height; ++y)
+        follow.inputs.newestIrradiance.at(plane, (7 * y) % options.size.width, y) = -1.0f;
+    const Comparison comparison = follow.check();
+    INFO(comparison.worst());
+    CHECK(comparison.largestError() <= follow.tolerance());
+  }
+}
