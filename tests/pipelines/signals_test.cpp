@@ -11,16 +11,15 @@ struct Run {
   Settings settings;
 };
 
-// All methods, bmfr with either solver. The stop at roughness is for the glossy signal, or for the only one.
+// bmfr with either solver, and quell, which has the stages of svgf. The stop at roughness is for the glossy signal, or for the only one.
 std::vector<Run> allRuns() {
-  Run gram{"bmfr gram", Settings("bmfr")}, svgf{"svgf", Settings("svgf")},
-      atrous{"atrous", Settings("atrous")}, quell{"quell", Settings("quell")};
+  Run gram{"bmfr gram", Settings("bmfr")}, atrous{"atrous", Settings("atrous")},
+      quell{"quell", Settings("quell")};
   gram.settings.set("solver", "gram");
-  svgf.settings.set("roughnessSigma", 0.0);
   atrous.settings.set("roughnessSigma", 0.0);
   quell.settings.set("roughnessSigma", 0.0);
   quell.settings.set("sharpRoughness", 0.0);
-  return {{"bmfr", Settings("bmfr")}, gram, svgf, atrous, quell};
+  return {{"bmfr", Settings("bmfr")}, gram, atrous, quell};
 }
 
 io::Image lastLinear(const io::FrameSequence& sequence, int frames, const Settings& settings,
