@@ -54,10 +54,6 @@ void checkOptions(const Options& options) {
     refuse("options.fitGroup", "0 or a power of two up to 256", group);
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// True if the stage leaves out background, or finds it; see kernels/common/surfaces.h.
 bool usesSurfaces(const StageRow& row) {
   return contains(row.reads, kSurfacesBuffer) || contains(row.writes, kSurfacesBuffer);

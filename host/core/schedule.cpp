@@ -18,10 +18,6 @@ bool endsWithPrevious(const std::string& name) {
   return name.size() > length && name.compare(name.size() - length, length, kPreviousSuffix) == 0;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 // First and last line of the table that touches a buffer.
 struct Lifetime {
   int first = -1;
@@ -65,6 +61,10 @@ cl::Buffer allocate(const cl::Context& context, std::size_t bytes, const std::st
 }
 
 }  // namespace
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 PlaneParams makePlanes(Size size) {
   PlaneParams planes;

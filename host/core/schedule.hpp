@@ -54,6 +54,9 @@ struct Configuration {
   Size size() const { return frame.size; }
 };
 
+/// True if `name` is one of the names.
+bool contains(const std::vector<std::string>& names, const std::string& name);
+
 /// Geometry of the planes of an image of this size.
 PlaneParams makePlanes(Size size);
 
