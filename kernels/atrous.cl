@@ -4,10 +4,11 @@
 //          deviations of the 3x3-prefiltered variance; variance is filtered with squared weights.
 // In:      irradiance (3 planes per signal), its variance of luminance (1 plane per signal; with VARIANCE), guides, view
 //          depth and, where the caller has it, roughness.
-// Out:     irradiance and variance, filtered.
+// Out:     irradiance and, with FILTER_VARIANCE, variance, filtered.
 // Signals: share the penalties of the surface; each has its own weight, luminance and variance. The roughness stop is
 //          for the glossy signal, or for the only one.
 // Taps:    5x5, or with TAP_RADIUS 1 3x3 with a linear spline: a third of the work, and as wide after one more iteration.
+//          With TAP_CORNERS 0 without the four corners, which have the least weight.
 // Border:  taps outside the image are left out and the weights renormalised. A pixel without a sample takes what its
 //          neighbours have, whatever their luminance.
 // Departures: see common/edge_stops.h.
@@ -26,6 +27,10 @@ QUELL_INLINE float splineWeight(int tap) {
 QUELL_INLINE float splineWeight(int tap) { return tap == 0 ? 0.5f : 0.25f; }
 #endif
 
+QUELL_INLINE int isCorner(int tapX, int tapY) {
+  return abs(tapX) == TAP_RADIUS && abs(tapY) == TAP_RADIUS;
+}
+
 typedef struct FilterSums {
   float3L irradiance;
   floatL variance;
@@ -38,7 +43,9 @@ QUELL_INLINE FilterSums addFiltered(FilterSums sums, float3L irradiance, floatL 
   sums.irradiance.x += irradiance.x * weight;
   sums.irradiance.y += irradiance.y * weight;
   sums.irradiance.z += irradiance.z * weight;
+#if FILTER_VARIANCE
   sums.variance += weight * weight * variance;
+#endif
   sums.weight += weight;
   return sums;
 }
@@ -103,7 +110,7 @@ QUELL_INLINE void addTap(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, Fi
 #endif
     const floatL weight = weightOfPenalty(signalPenalty) *
                           (spline * loadLanes(from.guides + (QUELL_GUIDE_WEIGHT + s) * stride + index));
-#if VARIANCE
+#if FILTER_VARIANCE
     const floatL variance = loadLanes(from.variance + s * stride + index);
 #else
     const floatL variance = ZERO_LANES;
@@ -121,6 +128,7 @@ QUELL_INLINE void addTapRow(FilterSums sums[QUELL_SIGNALS], FilterCentre centre,
 #pragma unroll
   for (int tapX = -TAP_RADIUS; tapX <= TAP_RADIUS; ++tapX) {
     if (tapX == 0 && tapY == 0) continue;
+    if (!TAP_CORNERS && isCorner(tapX, tapY)) continue;
     const int column = x + tapX * params.step;
     if (atBorder && (column + QUELL_LANES <= 0 || column >= planes.width)) continue;
     const intL inside =
@@ -141,10 +149,12 @@ QUELL_INLINE floatL sharpening(floatL roughness, AtrousParams params) {
 // the buffers that iterations write by turns.
 QUELL_INLINE void keepBackground(__global float* varianceOut, __global const uchar* surfaces,
                                  AtrousParams params, int x, int y) {
+#if FILTER_VARIANCE
   if (params.iteration > 2 || !isNearSurface(surfaces, params.planes, x, y)) return;
   const int index = planeIndex(params.planes, x, y);
   for (int s = 0; s < QUELL_SIGNALS; ++s)
     storeLanes(ZERO_LANES, varianceOut + s * params.planes.stride + index);
+#endif
 }
 #endif
 
@@ -210,7 +220,7 @@ __kernel void atrous(__global const float* irradiance, __global const float* var
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL inverse = sums[s].weight > 0.0f ? 1.0f / sums[s].weight : ZERO_LANES;
     storeLanes3(scale3(sums[s].irradiance, inverse), irradianceOut + 3 * s * stride, index, stride);
-#if VARIANCE
+#if FILTER_VARIANCE
     storeLanes(sums[s].variance * inverse * inverse, varianceOut + s * stride + index);
 #endif
   }

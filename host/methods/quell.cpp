@@ -17,6 +17,9 @@ namespace {
 
 using Kind = SettingKind;
 
+// Iterations from this one on take a cross of five taps instead of 3x3 (sweep, docs/quell-sweep.md).
+constexpr int kFirstCross = 4;
+
 constexpr char kSweep[] = "sweep, docs/quell-sweep.md";
 
 SettingList accumulationSettings() {
@@ -245,19 +248,27 @@ void addFilter(Schedule& schedule, const Configuration& configuration) {
   setup.sharpRoughness = s.get("sharpRoughness");
   setup.skip = s.isOn("skip");
   if (setup.skip) guides = joinedNames(guides, {kSurfacesBuffer});
-  for (int i = 1; i <= static_cast<int>(s.get("iterations")); ++i) {
+  const int iterations = static_cast<int>(s.get("iterations"));
+  for (int i = 1; i <= iterations; ++i) {
     const Level in = levelAfter(i - 1);
     const Level out = levelAfter(i);
     setup.iteration = i;
     setup.step = 1 << (i - 1);
-    // All taps where they are near: it lowers the error of every scene, more than in any later iteration.
+    // More taps where they are near lower the error of every scene; far ones are the fewer the better.
     setup.radius = i == 1 ? 2 : 1;
+    setup.corners = i > 1 && i < kFirstCross;
     setup.input = in.irradiance;
     setup.output = out.irradiance;
     setup.variance = in.variance;
-    setup.varianceOut = out.variance;
+    std::vector<std::string> writes = {out.irradiance};
+    if (i < iterations) {
+      setup.varianceOut = out.variance;
+      writes.push_back(out.variance);
+    } else {
+      setup.varianceOut.clear();  // nothing reads it
+    }
     addStage(schedule, std::make_unique<Atrous>(setup), joinedNames({in.irradiance, in.variance}, guides),
-             {out.irradiance, out.variance});
+             writes);
   }
 }
 

@@ -9,7 +9,9 @@ void Atrous::build(const KernelBuilder& builder) {
   m_kernel = builder.build("atrous", "-D QUELL_SIGNALS=" + std::to_string(signalCount(frame)) +
                                          " -D VARIANCE=" + (m_setup.variance.empty() ? "0" : "1") +
                                          " -D ROUGHNESS_FORMAT=" + (readsRoughness(frame) ? "1" : "0") +
+                                         " -D FILTER_VARIANCE=" + (m_setup.varianceOut.empty() ? "0" : "1") +
                                          " -D TAP_RADIUS=" + std::to_string(m_setup.radius) +
+                                         " -D TAP_CORNERS=" + (m_setup.corners ? "1" : "0") +
                                          skipOption(m_setup.skip));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }
@@ -33,7 +35,7 @@ void Atrous::enqueue(FrameRun& run) {
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer(m_setup.input),
              bufferIf(variance, m_setup.variance), run.buffer("guides"), run.buffer("viewDepth"),
              bufferIf(readsRoughness(run.configuration.frame), "roughness"), run.buffer(m_setup.output),
-             bufferIf(variance, m_setup.varianceOut), bufferIf(m_setup.skip, "surfaces"), params);
+             bufferIf(!m_setup.varianceOut.empty(), m_setup.varianceOut), bufferIf(m_setup.skip, "surfaces"), params);
 }
 
 }  // namespace quell

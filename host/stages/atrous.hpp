@@ -17,8 +17,9 @@ class Atrous : public Stage {
     std::string input;            ///< irradiance
     std::string output;
     std::string variance;     ///< empty: none
-    std::string varianceOut;  ///< empty only without variance
+    std::string varianceOut;  ///< empty: not filtered along
     int radius = 2;           ///< 2: 5x5 taps, 1: 3x3
+    bool corners = true;      ///< false: without the four corners of these
     /// Roughness below which the stop on luminance narrows, to half its width at 0; 0: nowhere.
     double sharpRoughness = 0.0;
     int iteration = 1;  ///< from 1 on

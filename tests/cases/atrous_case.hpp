@@ -15,8 +15,8 @@ struct AtrousVariant {
   FilterVariant images;
   bool variance = true;  ///< iterations of svgf, else of the method atrous
   int iteration = 1;     ///< from 1
-  /// Iterations of quell: 3x3 taps from the second on, and a narrower stop on luminance below this roughness; negative:
-  /// of svgf.
+  /// Iterations of quell: 5x5 taps without corners, 3x3 from the second on and these without corners from the fourth
+  /// on, and a narrower stop on luminance below this roughness; negative: of svgf.
   double sharpRoughness = -1.0;
 
   bool ofQuell() const { return sharpRoughness >= 0.0; }
@@ -33,6 +33,8 @@ class AtrousCase : public StageCase {
   Comparison compare() override;
   double tolerance() const override { return kAtrousTolerance; }
   Planes irradiance() const { return m_harness.download(m_harness.row().writes[0]); }
+  /// The last iteration of quell does not.
+  bool filtersVariance() const { return m_harness.row().writes.size() > 1; }
   Planes variance() const { return m_harness.download(m_harness.row().writes[1]); }
 };
 

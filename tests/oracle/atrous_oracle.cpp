@@ -80,6 +80,7 @@ Filtered filterPixel(const AtrousInputs& inputs, const EdgeStopsOracle& stops, i
   for (int tapY = -inputs.radius; tapY <= inputs.radius; ++tapY) {
     for (int tapX = -inputs.radius; tapX <= inputs.radius; ++tapX) {
       const int column = x + tapX * inputs.step, row = y + tapY * inputs.step;
+      if (!inputs.corners && std::abs(tapX * tapY) == inputs.radius * inputs.radius) continue;
       if (column < 0 || column >= size.width || row < 0 || row >= size.height) continue;
       double penalty = 0.0;  // the centre resembles itself
       if (tapX != 0 || tapY != 0) {

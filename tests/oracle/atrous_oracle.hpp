@@ -14,6 +14,7 @@ struct AtrousInputs {
   double luminanceSigma = 4.0;
   int step = 1;
   int radius = 2;               ///< 2: 5x5 taps of a B3 spline, 1: 3x3 of a linear one
+  bool corners = true;          ///< false: without the four corners of these
   double sharpRoughness = 0.0;  ///< below it the last signal's stop on luminance narrows; 0: nowhere
 
   int signals() const { return irradiance.count / 3; }
