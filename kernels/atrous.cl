@@ -27,9 +27,7 @@ QUELL_INLINE float splineWeight(int tap) {
 QUELL_INLINE float splineWeight(int tap) { return tap == 0 ? 0.5f : 0.25f; }
 #endif
 
-QUELL_INLINE int isCorner(int tapX, int tapY) {
-  return abs(tapX) == TAP_RADIUS && abs(tapY) == TAP_RADIUS;
-}
+QUELL_INLINE int isCorner(int tapX, int tapY) { return abs(tapX) == TAP_RADIUS && abs(tapY) == TAP_RADIUS; }
 
 typedef struct FilterSums {
   float3L irradiance;

@@ -48,8 +48,7 @@ Comparison AtrousCase::compare() {
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
   comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided);
-  if (filtersVariance())
-    comparePixels(comparison, "variance", variance(), exact.variance, &exact.undecided);
+  if (filtersVariance()) comparePixels(comparison, "variance", variance(), exact.variance, &exact.undecided);
   return comparison;
 }
 
