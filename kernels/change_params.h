@@ -23,11 +23,12 @@ QUELL_NAMESPACE_END
 // Edge of a tile, pixels.
 #define QUELL_CHANGE_TILE 8
 
-// A tile's record, per signal: pixels that could be compared, sum of their differences and of the squares of these.
+// A tile's record, per signal: pixels that could be compared, sum of their differences and of the squares of these, and
+// one number that only fills up a vector.
 #define QUELL_CHANGE_COUNT 0
 #define QUELL_CHANGE_SUM 1
 #define QUELL_CHANGE_SQUARES 2
-#define QUELL_CHANGE_RECORD 3
+#define QUELL_CHANGE_RECORD 4
 
 // Windows are tents over 3x3 and 5x5 tiles: the small one sees where the light changed, the large one how faintly.
 #define QUELL_CHANGE_SMALL_WINDOW 1

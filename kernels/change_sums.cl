@@ -49,11 +49,8 @@ __kernel void change_sums(__global const float* innovation, __global const uchar
       const int index = planeIndex(planes, x, y + row) + s * planes.stride;
       tile = addRow(tile, innovation + index, historyLength + index, inside);
     }
-    const int record = (s * tiles + tileY * params.tilesX + tileX) * QUELL_CHANGE_RECORD;
-    __global const float* before = sumsPrev + record;
-    sums[record + QUELL_CHANGE_COUNT] = total(tile.count) + params.sumsKept * before[QUELL_CHANGE_COUNT];
-    sums[record + QUELL_CHANGE_SUM] = total(tile.sum) + params.sumsKept * before[QUELL_CHANGE_SUM];
-    sums[record + QUELL_CHANGE_SQUARES] =
-        total(tile.squares) + params.sumsKept * before[QUELL_CHANGE_SQUARES];
+    const int record = s * tiles + tileY * params.tilesX + tileX;
+    const float4 newest = (float4)(total(tile.count), total(tile.sum), total(tile.squares), 0.0f);
+    vstore4(newest + params.sumsKept * vload4(record, sumsPrev), record, sums);
   }
 }

@@ -13,16 +13,14 @@
 
 // A weighted mean over the tiles around a tile: the weights of a tent, the pixels in each tile.
 typedef struct WindowSums {
-  float weight;         // of all pixels
+  float4 weighted;      // records: x pixels, y differences, z their squares
   float weightSquares;  // of all pixels
   float fullWeight;     // as if all pixels of all tiles had been compared
-  float sum;
-  float squares;
 } WindowSums;
 
 QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams params, int tileX, int tileY,
                                   int radius) {
-  WindowSums window = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+  WindowSums window = {(float4)(0.0f), 0.0f, 0.0f};
   for (int dy = -radius; dy <= radius; ++dy) {
     const int row = tileY + dy;
     if (row < 0 || row >= params.tilesY) continue;
@@ -30,22 +28,21 @@ QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams param
       const int column = tileX + dx;
       if (column < 0 || column >= params.tilesX) continue;
       const float tent = (float)((radius + 1 - abs(dx)) * (radius + 1 - abs(dy)));
-      __global const float* tile = sums + (row * params.tilesX + column) * QUELL_CHANGE_RECORD;
-      window.weight += tent * tile[QUELL_CHANGE_COUNT];
-      window.weightSquares += tent * tent * tile[QUELL_CHANGE_COUNT];
+      const float4 tile = vload4(row * params.tilesX + column, sums);
+      window.weighted += tent * tile;
+      window.weightSquares += tent * tent * tile.x;
       window.fullWeight += tent * (float)(QUELL_CHANGE_TILE * QUELL_CHANGE_TILE);
-      window.sum += tent * tile[QUELL_CHANGE_SUM];
-      window.squares += tent * tile[QUELL_CHANGE_SQUARES];
     }
   }
   return window;
 }
 
 QUELL_INLINE float weightOf(WindowSums window, ChangeParams params) {
-  if (window.weight < QUELL_CHANGE_LEAST_SHARE * window.fullWeight) return 0.0f;
-  const float mean = window.sum / window.weight;
-  const float spread = max(window.squares / window.weight - mean * mean, QUELL_CHANGE_LEAST_SPREAD);
-  const float variance = spread * (window.weightSquares / (window.weight * window.weight));
+  const float weight = window.weighted.x;
+  if (weight < QUELL_CHANGE_LEAST_SHARE * window.fullWeight) return 0.0f;
+  const float mean = window.weighted.y / weight;
+  const float spread = max(window.weighted.z / weight - mean * mean, QUELL_CHANGE_LEAST_SPREAD);
+  const float variance = spread * (window.weightSquares / (weight * weight));
   const float excess = max(mean * mean / variance - params.thresholdSquared, 0.0f);
   // A difference of the largest radiance over a spread of nothing is still finite: 65504^2 / 1e-12 times the pixels.
   return params.mostWeight * (excess / (excess + params.gain));

@@ -242,12 +242,12 @@ TEST_CASE("a build error carries the log with file and line of the kernel source
   try {
     ProgramCache(directory.path())
         .build(device.context, device.device, queryDeviceTraits(device.device, Mapping::Automatic),
-               "tone_map", kernelSources().at("tone_map"), "-D QUELL_LANES=3");
+               "remodulate", kernelSources().at("remodulate"), "-D QUELL_LANES=3");
     FAIL("no error");
   } catch (const Error& error) {
     const int line = lineOf("common/lanes.h", "#error");
     CHECK(error.code() == ErrorCode::BuildFailed);
-    CHECK(error.stage() == "tone_map");
+    CHECK(error.stage() == "remodulate");
     CHECK(error.buffer().find("-D QUELL_LANES=3") != std::string::npos);
     INFO(error.got());
     CHECK(error.got().find("CL_BUILD_PROGRAM_FAILURE") != std::string::npos);
