@@ -10,12 +10,14 @@ typedef struct ChangeParams {
   PlaneParams planes;
   QuellInt tilesX;
   QuellInt tilesY;
-  QuellFloat sumsKept;            // share of the sums of the frame before that is kept, [0, 1)
-  QuellFloat thresholdSquared;    // deviation squared, in variances, up to which a difference counts as noise
-  QuellFloat gain;                // excess over it at which the weight is half of mostWeight, > 0
-  QuellFloat mostWeight;          // largest weight of the newest sample, (0, 1]
-  QuellFloat leastWeight;         // as in accumulate_noisy
-  QuellFloat momentsLeastWeight;  // as in accumulate_noisy
+  QuellInt restarted;           // 1: there is no frame before, 0: there is
+  QuellFloat sumsKept;          // share of the sums of the frame before that is kept, [0, 1)
+  QuellFloat thresholdSquared;  // deviation squared, in variances, up to which a difference counts as noise
+  QuellFloat restlessThresholdSquared;  // the same where light has changed lately
+  QuellFloat gain;                      // excess over it at which the weight is half of mostWeight, > 0
+  QuellFloat mostWeight;                // largest weight of the newest sample, (0, 1]
+  QuellFloat leastWeight;               // as in accumulate_noisy
+  QuellFloat momentsLeastWeight;        // as in accumulate_noisy
 } ChangeParams;
 
 QUELL_NAMESPACE_END
@@ -36,6 +38,14 @@ QUELL_NAMESPACE_END
 
 // A window with less than this share of its pixels compared says nothing about change.
 #define QUELL_CHANGE_LEAST_SHARE 0.0625f
+
+// Unrest: the share that is kept of the frame before, which makes it a mean over some ten frames; the largest
+// significance that enters, so that one jump is forgotten as soon; up to which tiles are still (noise alone: 0.8)
+// and from which on restless. Source: sweep, docs/quell-sweep.md.
+#define QUELL_UNREST_KEPT 0.9f
+#define QUELL_UNREST_MOST 16.0f
+#define QUELL_UNREST_STILL 1.2f
+#define QUELL_UNREST_RESTLESS 2.0f
 
 // Least spread of the differences, luminance squared: where all are equal there is no noise to compare with.
 #define QUELL_CHANGE_LEAST_SPREAD 1e-12f

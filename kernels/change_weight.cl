@@ -1,11 +1,16 @@
 // change_weight: the weight that the newest samples deserve in a tile, from how surely its light has changed.
 // Source:  ours. Over a window the mean difference d between samples and history has the variance v of a mean of
-//          independent differences; d^2 / v is 1 on average where nothing changed
-//          (less where sums of earlier frames are kept, which count as if they were of this one). What exceeds the threshold is taken
-//          for the squared bias b^2 of the history, in the same units. The mean squared error of a blend,
+//          independent differences; d^2 / v, here called significance, is 1 on average where nothing changed (less
+//          where sums of earlier frames are kept, which count as if they were of this one). What exceeds the threshold
+//          is taken for the squared bias b^2 of the history, in the same units. The mean squared error of a blend,
 //          (1 - w)^2 b^2 + w^2 c, is least at w = b^2 / (b^2 + c); c, the noise that one frame has left after the
 //          filter, is the setting changeGain.
-// In:      sums of change_sums. Out: weight (1 float per tile and signal), [0, mostWeight]; the largest of two windows.
+//          Light that changes goes on changing, and not in one tile alone: the mean significance around a tile over the
+//          last frames, its unrest, tells how likely change is there. Where light has been still it takes much to
+//          believe in change, so noise shortens few histories; where it has not, little.
+// In:      sums of change_sums, unrest of the frame before (1 float per tile and signal).
+// Out:     unrest; weight (1 float per tile and signal), [0, mostWeight]. The more significant of two windows counts.
+// Border:  tiles outside the image are left out; for unrest they equal the nearest tile.
 // Grid:    one work-item a tile.
 // Scale:   differences of any brightness give the same weight.
 #include "change_params.h"
@@ -37,28 +42,56 @@ QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams param
   return window;
 }
 
-QUELL_INLINE float weightOf(WindowSums window, ChangeParams params) {
+// Of the mean difference over a window, squared, in variances.
+QUELL_INLINE float significanceOf(WindowSums window) {
   const float weight = window.weighted.x;
   if (weight < QUELL_CHANGE_LEAST_SHARE * window.fullWeight) return 0.0f;
   const float mean = window.weighted.y / weight;
   const float spread = max(window.weighted.z / weight - mean * mean, QUELL_CHANGE_LEAST_SPREAD);
   const float variance = spread * (window.weightSquares / (weight * weight));
-  const float excess = max(mean * mean / variance - params.thresholdSquared, 0.0f);
+  return mean * mean / variance;
+}
+
+// Unrest of the frame before, over a tent of 3x3 tiles: it spreads by a tile a frame, as light that moves does.
+QUELL_INLINE float unrestAround(__global const float* unrest, ChangeParams params, int tileX, int tileY) {
+  float sum = 0.0f;
+  for (int dy = -1; dy <= 1; ++dy) {
+    const int row = clamp(tileY + dy, 0, params.tilesY - 1);
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int column = clamp(tileX + dx, 0, params.tilesX - 1);
+      sum += (float)((2 - abs(dx)) * (2 - abs(dy))) * unrest[row * params.tilesX + column];
+    }
+  }
+  return sum * 0.0625f;  // a tent of 3x3 sums to 16
+}
+
+QUELL_INLINE float weightOf(float significance, float unrest, ChangeParams params) {
+  const float restless = clamp(
+      (unrest - QUELL_UNREST_STILL) * (1.0f / (QUELL_UNREST_RESTLESS - QUELL_UNREST_STILL)), 0.0f, 1.0f);
+  const float threshold =
+      params.thresholdSquared + restless * (params.restlessThresholdSquared - params.thresholdSquared);
+  const float excess = max(significance - threshold, 0.0f);
   // A difference of the largest radiance over a spread of nothing is still finite: 65504^2 / 1e-12 times the pixels.
   return params.mostWeight * (excess / (excess + params.gain));
 }
 
-__kernel void change_weight(__global const float* sums, __global float* weights, ChangeParams params) {
+__kernel void change_weight(__global const float* sums, __global const float* unrestPrev,
+                            __global float* unrest, __global float* weights, ChangeParams params) {
   const int tileX = (int)get_global_id(0);
   const int tileY = (int)get_global_id(1);
   if (tileX >= params.tilesX || tileY >= params.tilesY) return;
   const int tiles = params.tilesX * params.tilesY;
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     __global const float* signalSums = sums + s * tiles * QUELL_CHANGE_RECORD;
-    const float small =
-        weightOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_SMALL_WINDOW), params);
-    const float large =
-        weightOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_LARGE_WINDOW), params);
-    weights[s * tiles + tileY * params.tilesX + tileX] = max(small, large);
+    const float significance =
+        max(significanceOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_SMALL_WINDOW)),
+            significanceOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_LARGE_WINDOW)));
+    const float newest = min(significance, QUELL_UNREST_MOST);
+    const float before =
+        params.restarted ? newest : unrestAround(unrestPrev + s * tiles, params, tileX, tileY);
+    const float now = newest + QUELL_UNREST_KEPT * (before - newest);
+    const int tile = s * tiles + tileY * params.tilesX + tileX;
+    unrest[tile] = now;
+    weights[tile] = weightOf(significance, now, params);
   }
 }

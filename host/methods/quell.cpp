@@ -34,7 +34,7 @@ SettingList accumulationSettings() {
            {}},
           {"stillHistoryFrames",
            Kind::Integer,
-           16.0,
+           32.0,
            1.0,
            255.0,
            "frames",
@@ -85,16 +85,25 @@ SettingList changeSettings() {
            {}},
           {"changeThreshold",
            Kind::Real,
-           1.5,
+           2.5,
            0.0,
            100.0,
            "standard deviations",
            "difference between newest samples and history, over tiles, up to which it counts as noise",
            kSweep,
            {}},
+          {"restlessThreshold",
+           Kind::Real,
+           1.0,
+           0.0,
+           100.0,
+           "standard deviations",
+           "the same where light has changed lately; at most changeThreshold counts",
+           kSweep,
+           {}},
           {"changeGain",
            Kind::Real,
-           3.0,
+           4.0,
            0.01,
            1e6,
            "variances",
@@ -115,7 +124,7 @@ SettingList changeSettings() {
 SettingList filterSettings() {
   const SettingDescription luminanceSigma = {"luminanceSigma",
                                              Kind::Real,
-                                             5.5,
+                                             6.0,
                                              0.01,
                                              1e3,
                                              "standard deviations of the mean",
@@ -155,8 +164,15 @@ int mostFramesStill(const Settings& s) {
 }
 
 ChangeDetection changeDetection(const Settings& s) {
-  return {1.0 / mostFramesStill(s), s.get("momentsLeastWeight"), s.get("mostWeight"),
-          s.get("changeThreshold"), s.get("changeGain"),         s.get("changeMemory")};
+  ChangeDetection detection;
+  detection.leastWeight = 1.0 / mostFramesStill(s);
+  detection.momentsLeastWeight = s.get("momentsLeastWeight");
+  detection.mostWeight = s.get("mostWeight");
+  detection.threshold = s.get("changeThreshold");
+  detection.restlessThreshold = std::min(s.get("restlessThreshold"), detection.threshold);
+  detection.gain = s.get("changeGain");
+  detection.sumsKept = s.get("changeMemory");
+  return detection;
 }
 
 bool followsChange(const Settings& s) { return s.get("mostWeight") > 0.0; }
@@ -184,6 +200,7 @@ std::vector<BufferSpec> buffers(const Configuration& configuration) {
       transient("newestIrradiance", f32, 3 * signals),
       transient("innovation", f32, signals),
       {"changeSums", f32, 0, tiles * QUELL_CHANGE_RECORD, followsChange(configuration.settings)},
+      {"changeUnrest", f32, 0, tiles, followsChange(configuration.settings)},
       elements("changeWeights", tiles),
       transient("variance", f32, signals),
       {kSurfacesBuffer, Element::UInt8, 0, surfaceCount(configuration), false},
@@ -225,7 +242,8 @@ void addAccumulation(Schedule& schedule, const Configuration& configuration) {
   const ChangeDetection detection = changeDetection(s);
   addStage(schedule, std::make_unique<ChangeSums>(detection),
            {"innovation", "historyLength", "changeSums.prev"}, {"changeSums"});
-  addStage(schedule, std::make_unique<ChangeWeight>(detection), {"changeSums"}, {"changeWeights"});
+  addStage(schedule, std::make_unique<ChangeWeight>(detection), {"changeSums", "changeUnrest.prev"},
+           {"changeUnrest", "changeWeights"});
   addStage(schedule, std::make_unique<FollowChange>(detection, s.isOn("skip")),
            joinedNames(joinedNames({"changeWeights", "newestIrradiance"}, accumulated), surfaceNames(s)),
            accumulated);

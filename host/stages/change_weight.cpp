@@ -12,7 +12,9 @@ void ChangeWeight::build(const KernelBuilder& builder) {
 
 void ChangeWeight::enqueue(FrameRun& run) {
   ChangeParams params = makeChangeParams(m_detection, run.configuration.size());
-  run.launch(m_kernel, tileRange(params), m_workGroup, run.buffer("changeSums"), run.buffer("changeWeights"),
+  params.restarted = run.frameIndex == 0 ? 1 : 0;
+  run.launch(m_kernel, tileRange(params), m_workGroup, run.buffer("changeSums"),
+             run.buffer("changeUnrest.prev"), run.buffer("changeUnrest"), run.buffer("changeWeights"),
              params);
 }
 

@@ -22,14 +22,23 @@ ChangeWeightCase::ChangeWeightCase(const CaseOptions& options, int signals, Chan
   inputs.size = options.size;
   inputs.signals = signals;
   inputs.threshold = used.get("changeThreshold");
+  inputs.restlessThreshold = used.get("restlessThreshold");
   inputs.gain = used.get("changeGain");
   inputs.mostWeight = used.get("mostWeight");
   inputs.sums = Planes({tileCount() * QUELL_CHANGE_RECORD, 1}, 1);
+  inputs.unrestPrev = Planes({tileCount(), 1}, 1);
   Random random(options.seed + 10);
+  for (float& unrest : inputs.unrestPrev.values) unrest = float(random.uniform(0.0, 3.0));
   for (int tile = 0; tile < tileCount(); ++tile) {
     const double spread = random.uniform(0.1, 4.0);
     setTile(tile, randomCount(random), std::sqrt(spread) * std::pow(random.uniform(-1.0, 1.0), 5.0), spread);
   }
+  useFrame(1);
+}
+
+void ChangeWeightCase::useFrame(std::uint32_t frameIndex) {
+  m_frameIndex = frameIndex;
+  inputs.restarted = frameIndex == 0;
 }
 
 void ChangeWeightCase::setTile(int tile, double count, double mean, double spread) {
@@ -39,15 +48,19 @@ void ChangeWeightCase::setTile(int tile, double count, double mean, double sprea
   record[QUELL_CHANGE_SQUARES] = float(count * (mean * mean + spread));
 }
 
-void ChangeWeightCase::upload() { m_harness.upload("changeSums", inputs.sums); }
+void ChangeWeightCase::upload() {
+  m_harness.upload("changeSums", inputs.sums);
+  m_harness.upload("changeUnrest.prev", inputs.unrestPrev);
+}
 
 Comparison ChangeWeightCase::compare() {
   Comparison comparison;
   const Planes device = weights();
-  const ExactPlanes exact = changeWeightOracle(inputs);
-  if (device.values.size() != exact.values.size())
+  const ChangeWeightExact exact = changeWeightOracle(inputs);
+  if (device.values.size() != exact.weights.values.size())
     comparison.include("number of weights", 0, 0, 0, std::numeric_limits<double>::infinity(), 0.0);
-  comparePixels(comparison, "weight", device, exact);
+  comparePixels(comparison, "weight", device, exact.weights);
+  comparePixels(comparison, "unrest", unrest(), exact.unrest);
   return comparison;
 }
 

@@ -9,7 +9,11 @@ namespace quell::tests {
 /// Of weights up to 1: the spread is a difference of terms at most ten times as large (1e-6 measured).
 constexpr double kChangeWeightTolerance = 1e-5;
 
-/// Tiles without and with few comparable pixels among full ones; differences from within the noise to far beyond.
+/// Of unrest, which is a mean of values up to QUELL_UNREST_MOST.
+constexpr double kChangeUnrestTolerance = 1e-4;
+
+/// Tiles without and with few comparable pixels among full ones; differences from within the noise to far beyond;
+/// unrest from still to restless.
 class ChangeWeightCase : public StageCase {
  public:
   explicit ChangeWeightCase(const CaseOptions& options, int signals = 1,
@@ -21,10 +25,13 @@ class ChangeWeightCase : public StageCase {
   void setTile(int tile, double count, double mean, double spread);
   int tileCount() const { return TileGrid(size()).count() * inputs.signals; }
 
+  /// Frame 0 has no frame before.
+  void useFrame(std::uint32_t frameIndex);
   void upload() override;
   Comparison compare() override;
   double tolerance() const override { return kChangeWeightTolerance; }
   Planes weights() const { return m_harness.download("changeWeights"); }
+  Planes unrest() const { return m_harness.download("changeUnrest"); }
 };
 
 }  // namespace quell::tests

@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kPixelsOfTile = double(QUELL_CHANGE_TILE) * QUELL_CHANGE_TILE;
 
-// The largest weight that a window around the tile gives.
+// What windows around the tile tell.
 class WindowOracle {
  public:
   WindowOracle(const ChangeWeightInputs& inputs, int signal, int column, int row)
       : m_inputs(inputs), m_grid(inputs.size), m_signal(signal), m_column(column), m_row(row) {}
 
-  double weight(int radius) const {
+  double significance(int radius) const {
     double pixels = 0.0, allPixels = 0.0, sum = 0.0, squares = 0.0, shareSquares = 0.0;
     forEachTile(radius, [&](const float* record, double tent) {
       pixels += tent * record[QUELL_CHANGE_COUNT];
@@ -29,8 +29,20 @@ class WindowOracle {
     });
     const double mean = sum / pixels;
     const double spread = std::max<double>(squares / pixels - mean * mean, QUELL_CHANGE_LEAST_SPREAD);
-    const double bias = mean * mean / (spread * shareSquares) - m_inputs.threshold * m_inputs.threshold;
-    return bias > 0.0 ? m_inputs.mostWeight / (1.0 + m_inputs.gain / bias) : 0.0;
+    return mean * mean / (spread * shareSquares);
+  }
+
+  double unrestBefore() const {
+    double sum = 0.0;
+    for (const int dy : {-1, 0, 0, 1}) {  // the tent's weights, counted
+      for (const int dx : {-1, 0, 0, 1}) {
+        const int row = std::clamp(m_row + dy, 0, m_grid.rows - 1);
+        const int column = std::clamp(m_column + dx, 0, m_grid.columns - 1);
+        sum +=
+            double(m_inputs.unrestPrev.at(0, m_signal * m_grid.count() + row * m_grid.columns + column, 0));
+      }
+    }
+    return sum / 16.0;
   }
 
  private:
@@ -52,19 +64,35 @@ class WindowOracle {
   int m_signal, m_column, m_row;
 };
 
+double weightOf(const ChangeWeightInputs& inputs, double significance, double unrest) {
+  const double still = double(QUELL_UNREST_STILL), restless = double(QUELL_UNREST_RESTLESS);
+  const double share = std::clamp((unrest - still) / (restless - still), 0.0, 1.0);
+  const double threshold =
+      (1.0 - share) * std::pow(inputs.threshold, 2.0) + share * std::pow(inputs.restlessThreshold, 2.0);
+  const double bias = significance - threshold;
+  return bias > 0.0 ? inputs.mostWeight / (1.0 + inputs.gain / bias) : 0.0;
+}
+
 }  // namespace
 
-ExactPlanes changeWeightOracle(const ChangeWeightInputs& inputs) {
+ChangeWeightExact changeWeightOracle(const ChangeWeightInputs& inputs) {
   const TileGrid grid(inputs.size);
-  ExactPlanes weights({grid.count() * inputs.signals, 1}, 1);
+  const Size size{grid.count() * inputs.signals, 1};
+  ChangeWeightExact exact{ExactPlanes(size, 1), ExactPlanes(size, 1)};
   for (int signal = 0; signal < inputs.signals; ++signal) {
     forEachPixel({grid.columns, grid.rows}, [&](int column, int row) {
       const WindowOracle window(inputs, signal, column, row);
-      weights.at(0, signal * grid.count() + row * grid.columns + column, 0) =
-          std::max(window.weight(QUELL_CHANGE_SMALL_WINDOW), window.weight(QUELL_CHANGE_LARGE_WINDOW));
+      const double significance = std::max(window.significance(QUELL_CHANGE_SMALL_WINDOW),
+                                           window.significance(QUELL_CHANGE_LARGE_WINDOW));
+      const double newest = std::min(significance, double(QUELL_UNREST_MOST));
+      const double kept = inputs.restarted ? 0.0 : double(QUELL_UNREST_KEPT);
+      const double unrest = kept * window.unrestBefore() + (1.0 - kept) * newest;
+      const int tile = signal * grid.count() + row * grid.columns + column;
+      exact.unrest.at(0, tile, 0) = unrest;
+      exact.weights.at(0, tile, 0) = weightOf(inputs, significance, unrest);
     });
   }
-  return weights;
+  return exact;
 }
 
 }  // namespace quell::tests

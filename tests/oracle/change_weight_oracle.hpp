@@ -7,15 +7,23 @@
 namespace quell::tests {
 
 struct ChangeWeightInputs {
-  Planes sums;  ///< records of change_sums
-  Size size;    ///< of the image
+  Planes sums;        ///< records of change_sums
+  Planes unrestPrev;  ///< one value a tile
+  Size size;          ///< of the image
   int signals = 1;
+  bool restarted = false;  ///< no frame before
   double threshold = 2.0;
+  double restlessThreshold = 1.0;
   double gain = 4.0;
   double mostWeight = 1.0;
 };
 
 /// Signal by signal, row by row, as the device stores them.
-ExactPlanes changeWeightOracle(const ChangeWeightInputs& inputs);
+struct ChangeWeightExact {
+  ExactPlanes weights;
+  ExactPlanes unrest;
+};
+
+ChangeWeightExact changeWeightOracle(const ChangeWeightInputs& inputs);
 
 }  // namespace quell::tests

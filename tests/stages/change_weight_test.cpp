@@ -11,17 +11,19 @@ using namespace quell::tests;
 namespace {
 
 constexpr double kFullTile = double(QUELL_CHANGE_TILE) * QUELL_CHANGE_TILE;
-// Of noise alone: a difference of 1.7 standard deviations makes a weight of 0.2; 8 % of a normal distribution are
-// beyond it, and two windows are looked at (0.126 and a mean of 0.060 measured).
-constexpr double kNoticedShare = 0.15;
-constexpr double kMeanNoiseWeight = 0.075;
+// Of noise alone, after this many frames; 0.006 of the tiles above a weight of 0.2 and a mean of 0.003 measured.
+constexpr int kNoiseFrames = 24;
+constexpr double kNoticedShare = 0.02;
+constexpr double kMeanNoiseWeight = 0.01;
 
 CaseMaker maker(int signals) {
   return
       [signals](const CaseOptions& options) { return std::make_unique<ChangeWeightCase>(options, signals); };
 }
 
+// Everywhere the same; without a past.
 void setTiles(ChangeWeightCase& change, double count, double mean, double spread) {
+  std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), 0.0f);
   for (int tile = 0; tile < change.tileCount(); ++tile) change.setTile(tile, count, mean, spread);
 }
 
@@ -45,7 +47,9 @@ TEST_CASE("change_weight agrees with its oracle") { checkLayouts(maker(1), {pack
 
 TEST_CASE("change_weight of two signals agrees with its oracle") { checkSizes(maker(2)); }
 
-TEST_CASE("change_weight does not depend on the work-group") { checkWorkGroups(maker(2), {"changeWeights"}); }
+TEST_CASE("change_weight does not depend on the work-group") {
+  checkWorkGroups(maker(2), {"changeWeights", "changeUnrest"});
+}
 
 TEST_CASE("change_weight of two signals equals two runs of one") {
   CaseOptions options;
@@ -58,6 +62,9 @@ TEST_CASE("change_weight of two signals equals two runs of one") {
     auto& sums = one.inputs.sums.values;
     const auto half = std::ptrdiff_t(sums.size());
     std::copy_n(both.inputs.sums.values.begin() + signal * half, half, sums.begin());
+    auto& unrest = one.inputs.unrestPrev.values;
+    const auto tiles = std::ptrdiff_t(unrest.size());
+    std::copy_n(both.inputs.unrestPrev.values.begin() + signal * tiles, tiles, unrest.begin());
     const Planes weights = runWeights(one);
     found.insert(found.end(), weights.values.begin(), weights.values.end());
   }
@@ -117,28 +124,85 @@ TEST_CASE("change_weight says nothing where too few pixels were compared") {
   }
 }
 
+TEST_CASE("change_weight believes in less change where there was change lately") {
+  CaseOptions options;
+  options.size = {61, 40};
+  ChangeWeightCase change(options, 1, ChangeSettings::Defaults);
+  // 1.6 standard deviations of the large window's mean: its tent of weights 1, 2, 3, 2, 1 averages as much noise away
+  // as (9^2 / 19)^2 whole tiles.
+  const double spread = 1.0, tilesOfWindow = 6561.0 / 361.0;
+  setTiles(change, kFullTile, 1.6 * std::sqrt(spread / (kFullTile * tilesOfWindow)), spread);
+  for (const float weight : runWeights(change).values) CHECK(weight < 0.5f);
+  const Planes still = change.weights();
+  std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), 4.0f);
+  const Planes restless = runWeights(change);
+  const int inner = 2 * TileGrid(options.size).columns + 3;
+  CHECK(still.at(0, inner, 0) == 0.0f);
+  CHECK(restless.at(0, inner, 0) > 0.2f);
+}
+
+TEST_CASE("change_weight remembers change around a tile, and forgets it") {
+  CaseOptions options;
+  options.size = {121, 70};
+  ChangeWeightCase change(options);
+  setTiles(change, kFullTile, 0.0, 1.0);
+  const TileGrid grid(options.size);
+  const auto at = [&](const Planes& planes, int column, int row) {
+    return planes.at(0, row * grid.columns + column, 0);
+  };
+  change.inputs.unrestPrev.at(0, 4 * grid.columns + 6, 0) = QUELL_UNREST_MOST;
+  runWeights(change);
+  Planes unrest = change.unrest();
+  CHECK(at(unrest, 6, 4) == Approx(QUELL_UNREST_KEPT * QUELL_UNREST_MOST / 4.0f));
+  CHECK(at(unrest, 7, 4) == Approx(QUELL_UNREST_KEPT * QUELL_UNREST_MOST / 8.0f));
+  CHECK(at(unrest, 7, 5) == Approx(QUELL_UNREST_KEPT * QUELL_UNREST_MOST / 16.0f));
+  CHECK(at(unrest, 8, 4) == 0.0f);
+  // The same everywhere, borders included, keeps its level but for what is forgotten.
+  std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), 2.0f);
+  runWeights(change);
+  unrest = change.unrest();
+  for (const float value : unrest.values) CHECK(value == Approx(QUELL_UNREST_KEPT * 2.0f));
+  // A restarted history has no unrest, whatever the buffer holds.
+  change.useFrame(0);
+  std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), NAN);
+  runWeights(change);
+  unrest = change.unrest();
+  for (const float value : unrest.values) CHECK(value == 0.0f);
+}
+
 TEST_CASE("change_weight takes noise alone for change in few tiles") {
   CaseOptions options;
-  options.size = {1280, 720};
+  options.size = {640, 360};
   ChangeWeightCase change(options, 1, ChangeSettings::Defaults);
   ChangeSumsInputs noise;
-  noise.innovation = skewedNoise(options.size, 17);
   noise.historyLength = Planes(options.size, 1, 8.0f);
   noise.sumsPrev = Planes(change.inputs.sums.size(), 1);
-  const ExactPlanes sums = changeSumsOracle(noise).sums;
-  std::transform(sums.values.begin(), sums.values.end(), change.inputs.sums.values.begin(),
-                 [](double value) { return float(value); });
-  const Planes weights = runWeights(change);
+  noise.sumsKept = Settings("quell").get("changeMemory");
+  std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), 0.0f);
+  Planes weights;
+  for (unsigned frame = 0; frame < kNoiseFrames; ++frame) {
+    noise.innovation = skewedNoise(options.size, 17 + frame);
+    const ExactPlanes sums = changeSumsOracle(noise).sums;
+    std::transform(sums.values.begin(), sums.values.end(), change.inputs.sums.values.begin(),
+                   [](double value) { return float(value); });
+    weights = runWeights(change);
+    noise.sumsPrev = change.inputs.sums;
+    change.inputs.unrestPrev = change.unrest();
+  }
   double noticed = 0.0, sum = 0.0;
   for (const float weight : weights.values) {
     noticed += weight > 0.2f;
     sum += weight;
   }
+  double unrest = 0.0;
+  for (const float value : change.inputs.unrestPrev.values) unrest += value;
   const double tiles = double(weights.values.size());
-  INFO(noticed / tiles << " of the tiles above 0.2, mean weight " << sum / tiles);
+  INFO(noticed / tiles << " of the tiles above 0.2, mean weight " << sum / tiles << ", mean unrest "
+                       << unrest / tiles);
   CHECK(noticed > 0.0);
   CHECK(noticed < kNoticedShare * tiles);
   CHECK(sum < kMeanNoiseWeight * tiles);
+  CHECK(unrest < double(QUELL_UNREST_STILL) * tiles);
 }
 
 TEST_CASE("change_weight is a weight for the most extreme sums") {
