@@ -145,9 +145,12 @@ void DenoiseSession::run(const io::FrameData& frame) {
 Timings DenoiseSession::timings() {
   Timings timings = denoiser().timings();
   const BackgroundMap map = denoiser().backgroundMap();
-  for (StageTimings& stage : timings.stages)
-    if (std::find(map.stages.begin(), map.stages.end(), stage.label) != map.stages.end())
-      stage.skippedShare = map.share();
+  const double share = map.share();
+  for (StageTimings& stage : timings.stages) {
+    if (std::find(map.stages.begin(), map.stages.end(), stage.label) == map.stages.end()) continue;
+    stage.skippedShare = share;
+    stage.bytesMoved = static_cast<std::uint64_t>(double(stage.bytesMoved) * (1.0 - share));
+  }
   return timings;
 }
 
