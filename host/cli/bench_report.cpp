@@ -1,11 +1,11 @@
 #include "host/cli/bench_report.hpp"
 
 #include <fmt/format.h>
+#include <quell/quell.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <quell/quell.h>
 #include <vector>
 
 namespace quell::cli {

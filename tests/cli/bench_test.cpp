@@ -245,8 +245,8 @@ TEST_CASE("bench does not count what is skipped as bytes moved", "[cli]") {
   const TemporaryDirectory directory;
   const auto accumulateOf = [&](const std::string& skip) {
     const std::string file = directory.file("denoise.json");
-    REQUIRE(quell({"denoise", "--size", "64x48", "--frame-count", "2", "--sky-share", "0.5", "--set", "skip=" + skip,
-                   "--json", file}) == 0);
+    REQUIRE(quell({"denoise", "--size", "64x48", "--frame-count", "2", "--sky-share", "0.5", "--set",
+                   "skip=" + skip, "--json", file}) == 0);
     return readJson(file).at("stages").at(0);
   };
   const json all = accumulateOf("off"), some = accumulateOf("on");
