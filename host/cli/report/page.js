@@ -1,7 +1,7 @@
 // Fills the page from the results.
 const RESULTS = JSON.parse(document.getElementById("results").textContent);
 const METRICS = {
-  unbiased_rmse: "unbiased RMSE", rmse: "RMSE", flip: "FLIP", ssim: "1 - SSIM", temporal: "temporal error",
+  unbiased_rmse: "unbiased RMSE", rmse: "RMSE", flip: "FLIP", ssim: "1 - SSIM", relmse: "relMSE", temporal: "temporal error",
 };
 // Of sweeps over several inputs.
 const SWEEP_TITLES = {
@@ -99,6 +99,13 @@ function variedSettings(runs) {
   return settings.filter(setting => new Set(runs.map(run => run.assignments[setting])).size > 2);
 }
 
+// Of runs of the sweep `weight`; a history of so many frames gives the newest one a share of it.
+const WEIGHTS = ["irradianceLeastWeight", "noisyLeastWeight"];
+function leastWeight(run) {
+  const weight = WEIGHTS.map(setting => run.assignments[setting]).find(value => value !== undefined);
+  return weight !== undefined ? Number(weight) : 1 / Number(run.assignments.historyFrames);
+}
+
 // The share of a run's frame that is skipped by those of `runs` that skip, on the same frames.
 function shareSkipped(run, runs) {
   const shares = runs.filter(other => keyOf(other) === keyOf(run)).flatMap(other => other.stages.map(s => s.skipped_share ?? 0));
@@ -110,6 +117,8 @@ function shareSkipped(run, runs) {
 function sweepAxis(runs, sweep) {
   if (sweep === "background")
     return {name: "share of the frame that is skipped", of: run => shareSkipped(run, runs), varied: []};
+  if (sweep === "weight")
+    return {name: "least weight of the newest sample", of: leastWeight, varied: ["historyFrames", ...WEIGHTS]};
   if (sweep === "sizes") return {name: "megapixels", of: run => run.width * run.height / 1e6, varied: []};
   const varied = variedSettings(runs);
   const values = [...new Set(runs.map(run => varied.map(setting => run.assignments[setting]).find(v => v !== undefined)))];
@@ -178,12 +187,12 @@ const cell = (value, digits = 4) => value === null || value === undefined ? "-" 
 function showRuns() {
   showTable(document.querySelector("#table table"),
             ["run", "sequence", "size", "frame ms", "least", "most", "copies", "MiB", "cold build ms", "cached build ms",
-             ...Object.values(METRICS)],
+             ...Object.values(METRICS), "PSNR"],
             RESULTS.runs.map(run => [
               run.run, run.input, `${run.width}x${run.height}`, cell(run.frame_ms.median), cell(run.frame_ms.min),
               cell(run.frame_ms.max), cell(run.frame_ms.median / RESULTS.copy_ms, 3), (run.memory_bytes / 2 ** 20).toFixed(0),
               cell(run.build_ms?.cold, 3), cell(run.build_ms?.cached, 3),
-              ...Object.keys(METRICS).map(metric => cell(errorOf(run, metric))),
+              ...Object.keys(METRICS).map(metric => cell(errorOf(run, metric))), cell(errorOf(run, "psnr")),
             ]));
 }
 
