@@ -104,7 +104,7 @@ function lines(series, labelX, labelY) {
 // rows: [{name, parts: [{name, value, text}]}]
 function stackedBars(rows, label) {
   const names = [...new Set(rows.flatMap(r => r.parts.map(p => p.name)))];
-  const left = 250, width = 960, end = 940, bar = 26;
+  const left = 285, width = 960, end = 940, bar = 26;
   const height = rows.length * (bar + 8) + 56;
   const svg = element("svg", {viewBox: `0 0 ${width} ${height}`, role: "img"});
   const steps = ticks(Math.max(...rows.map(r => r.parts.reduce((sum, p) => sum + p.value, 0))));
