@@ -25,7 +25,7 @@ namespace {
 constexpr const char* kShorthands[] = {"solver", "windows", "features"};
 constexpr char kSeparator = ',';
 // Making up a frame of 3840x2160 takes longer than to denoise it.
-constexpr int kSizeSweepFrames = 4;
+constexpr int kBuiltInSweepFrames = 3;
 
 struct BenchArguments {
   std::vector<std::string> methods = methodNames();
@@ -49,7 +49,20 @@ std::vector<Variation> allVariations(const BenchArguments& arguments) {
   return all;
 }
 
-// A sweep runs on the first input, or on sizes of its own.
+bool hasRoughness(const std::string& directory, int signals) {
+  const auto sequence = io::openSequence(directory, signals);
+  return !sequence->read(sequence->frames().front()).roughness.empty();
+}
+
+// The first directory that has what the sweep needs. Where none has, the first: what cannot run there is reported.
+std::string sweepDirectory(const std::string& name, const InputArguments& input) {
+  if (sweepNeedsRoughness(name))
+    for (const std::string& directory : input.directories)
+      if (hasRoughness(directory, input.signals)) return directory;
+  return input.directories.front();
+}
+
+// A sweep runs on one of the directories, or on sizes of its own.
 BenchGroup planSweepGroup(const std::string& name, const BenchArguments& arguments) {
   InputArguments input = arguments.input;
   const std::vector<std::string> sizes = sweepSizes(name);
@@ -57,9 +70,10 @@ BenchGroup planSweepGroup(const std::string& name, const BenchArguments& argumen
     input.directories.clear();
     input.sizes = sizes;
     input.signals = 1;
-    input.mostFrames = kSizeSweepFrames;
+    input.mostFrames = kBuiltInSweepFrames;
+    if (const std::vector<double> shares = sweepSkyShares(name); !shares.empty()) input.skyShares = shares;
   } else if (!input.directories.empty()) {
-    input.directories.resize(1);
+    input.directories = {sweepDirectory(name, input)};
     input.sizes.clear();
   }
   return {planSweep(name, arguments.methods), openInputs(input)};

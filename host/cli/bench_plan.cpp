@@ -62,6 +62,15 @@ std::vector<PlannedRun> vary(const std::vector<PlannedRun>& runs, const Variatio
   return varied;
 }
 
+std::unique_ptr<io::FrameSequence> makeBuiltIn(Size size, double skyShare, int mostFrames) {
+  io::AnalyticOptions analytic;
+  analytic.width = size.width;
+  analytic.height = size.height;
+  analytic.frameCount = mostFrames > 0 ? mostFrames : kBuiltInFrames;
+  analytic.skyShare = skyShare;
+  return io::makeAnalyticSequence(analytic);
+}
+
 BenchInput openInput(std::unique_ptr<io::FrameSequence> sequence, int mostFrames) {
   std::vector<int> frames = sequence->frames();
   if (mostFrames > 0) frames.resize(std::min(frames.size(), static_cast<std::size_t>(mostFrames)));
@@ -126,11 +135,8 @@ std::vector<BenchInput> openInputs(const InputArguments& arguments) {
     refuse(kCommand, "--signals", "1 with the built-in sequence", std::to_string(arguments.signals));
   for (const std::string& text : sizes) {
     const Size size = parseSize(kCommand, text);
-    io::AnalyticOptions analytic;
-    analytic.width = size.width;
-    analytic.height = size.height;
-    analytic.frameCount = arguments.mostFrames > 0 ? arguments.mostFrames : kBuiltInFrames;
-    inputs.push_back(openInput(io::makeAnalyticSequence(analytic), arguments.mostFrames));
+    for (const double share : arguments.skyShares)
+      inputs.push_back(openInput(makeBuiltIn(size, share, arguments.mostFrames), arguments.mostFrames));
   }
   return inputs;
 }

@@ -57,9 +57,10 @@ struct BenchGroup {
 /// What to open. With neither directories nor sizes: the built-in sequence at 1280x720.
 struct InputArguments {
   std::vector<std::string> directories;
-  std::vector<std::string> sizes;  ///< of the built-in sequence, such as "1280x720"
-  int signals = 1;                 ///< 2: diffuse and glossy light side by side; directories only
-  int mostFrames = 0;              ///< the first frames of every sequence; 0: all, or 16 built-in ones
+  std::vector<std::string> sizes;         ///< of the built-in sequence, such as "1280x720"
+  std::vector<double> skyShares = {0.0};  ///< of the built-in sequence's rows; it runs once for each
+  int signals = 1;                        ///< 2: diffuse and glossy light side by side; directories only
+  int mostFrames = 0;                     ///< the first frames of every sequence; 0: all, or 16 built-in ones
 };
 
 /// Directories first, then sizes. Throws Error(FileError) or Error(InvalidArgument).

@@ -1,6 +1,7 @@
 #include "host/cli/bench_report.hpp"
 
 #include <fmt/format.h>
+#include <quell/quell.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ constexpr char kNoStage[] = ",,,,";
 
 double operationsOf(const BenchRun& run, const StageTimings& stage, const BenchResult& result) {
   return result.operations.perPixel(run.plan, stage.label) * double(run.report.size.width) *
-         double(run.report.size.height);
+         double(run.report.size.height) * (1.0 - stage.skippedShare.value_or(0.0));
 }
 
 double boundMs(const BenchRun& run, const StageTimings& stage, const BenchResult& result) {
@@ -58,6 +59,23 @@ json frameMedians(const BenchRun& run) {
     medians.push_back(medianOf(rounds));
   }
   return medians;
+}
+
+// Of this executable: what its host code was compiled with.
+json buildJson() {
+#if defined(__clang__)
+  const std::string compiler = "Clang " __clang_version__;
+#elif defined(__GNUC__)
+  const std::string compiler = "GCC " __VERSION__;
+#else
+  const std::string compiler = "unknown";
+#endif
+#ifdef NDEBUG
+  constexpr bool kAssertions = false;
+#else
+  constexpr bool kAssertions = true;
+#endif
+  return {{"version", quellVersion()}, {"compiler", compiler}, {"assertions", kAssertions}};
 }
 
 json assignmentsJson(const PlannedRun& plan) {
@@ -247,6 +265,7 @@ json toJson(const BenchResult& result) {
   json all = {{"copy_ms", result.copy.copyMs},
               {"copy_gbs", result.copy.gigabytesPerSecond},
               {"copy_gbs_measured", measured},
+              {"build", buildJson()},
               {"repeat", result.rounds},
               {"runs", runs},
               {"skipped", skipped}};

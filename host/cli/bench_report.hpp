@@ -8,7 +8,7 @@
 
 namespace quell::cli {
 
-/// {copy_ms, copy_gbs, copy_gbs_measured: [...], fma_gflops, repeat, runs: [...], skipped: [...]}. A run is the object
+/// {copy_ms, copy_gbs, copy_gbs_measured: [...], build: {version, compiler, assertions}, fma_gflops, repeat, runs: [...], skipped: [...]}. A run is the object
 /// that `quell denoise --json` writes, with these added: `input`, `run` (its name), `assignments`, `sweep`, `build_ms`
 /// {cold, cached}, `round_medians_ms` and `frame_medians_ms` (of the frame times), and to each of its stages `gbs`,
 /// `copies`, `copy_share`, `bound_ms` (roofline) and `operations` (floating-point, per frame). What was not asked for

@@ -95,11 +95,11 @@ void runRound(std::vector<ActiveRun>& active, const BenchInput& input, std::size
 }
 
 void measureErrors(ActiveRun& active, const io::FrameData& frame, const io::FrameSequence& sequence,
-                   int pictureFrame, std::vector<BenchPicture>& pictures) {
+                   int pictureFrame, bool wantsFlicker, std::vector<BenchPicture>& pictures) {
   const DenoisedFrame denoised = active.session->denoise(frame);
   active.hash.add(denoised.linear);
   active.hash.add(denoised.display);
-  active.flicker.add(trackFrame(frame, denoised));
+  if (wantsFlicker) active.flicker.add(trackFrame(frame, denoised));
   if (frame.number == pictureFrame)
     pictures.push_back(
         {active.run.input, frame.number, active.run.plan.name(), metrics::encodeForDisplay(denoised.linear)});
@@ -110,8 +110,11 @@ void measureErrors(ActiveRun& active, const io::FrameData& frame, const io::Fram
 
 void warmUp(std::vector<ActiveRun>& active, const BenchInput& input, int pictureFrame,
             std::vector<BenchPicture>& pictures) {
+  // A sweep without references is about time: at 3840x2160 the temporal error takes longer than all else.
+  const bool hasReferences = lastReferenceFrame(input) >= 0;
   runRound(active, input, 0, [&](ActiveRun& run, const io::FrameData& frame) {
-    measureErrors(run, frame, *input.sequence, pictureFrame, pictures);
+    const bool wantsFlicker = hasReferences || run.run.plan.sweep.empty();
+    measureErrors(run, frame, *input.sequence, pictureFrame, wantsFlicker, pictures);
   });
   for (ActiveRun& run : active) {
     run.run.report.outputHash = run.hash.text();

@@ -14,25 +14,29 @@ using Variations = std::vector<Variation>;
 struct Sweep {
   std::string name;
   std::vector<Variations> alternatives;  // each is planned by itself: all its combinations
-  std::vector<std::string> sizes;
+  std::vector<std::string> sizes = {};
+  std::vector<double> skyShares = {};
+  bool needsRoughness = false;
 };
 
 const std::vector<Sweep>& sweeps() {
-  const std::vector<std::string> weights = {"0.05", "0.1", "0.2", "0.3", "0.5", "0.7", "1"};
+  const std::vector<std::string> weights = {"0.05", "0.1", "0.2", "0.5", "1"};
   // 4, 7, 10, 13 and 16 scalars, the constant included.
   const std::vector<std::string> features = {"n", "n,w", "n,w,w2", "n,w,w2,w3", "n,w,w2,w3,w*w"};
   static const std::vector<Sweep> all = {
-      {"sizes", {{}}, {"320x180", "640x360", "1280x720", "1920x1080", "2560x1440", "3840x2160"}},
-      {"features", {{{"solver", {"householder", "gram"}}, {"features", features}}}, {}},
+      {"sizes", {{}}, {"320x180", "640x360", "1280x720", "1920x1080", "3840x2160"}},
+      {"background", {{{"skip", {"on", "off"}}}}, {"1280x720"}, {0.0, 0.25, 0.5, 0.75, 1.0}},
+      {"features", {{{"solver", {"householder", "gram"}}, {"features", features}}}},
       {"windows",
        {{{"solver", {"gram"}}, {"windows", {"blocks"}}},
-        {{"solver", {"gram"}}, {"windows", {"overlap"}}, {"tileSize", {"8", "16"}}}},
-       {}},
-      {"iterations", {{{"iterations", {"1", "2", "3", "4", "5", "6", "7"}}}}, {}},
-      {"weight", {{{"irradianceLeastWeight", weights}, {"noisyLeastWeight", weights}}}, {}},
-      {"storage", {{{"solver", {"householder"}}, {"featureStorage", {"float", "half"}}}}, {}},
-      {"taa", {{{"taa", {"on", "off"}}}}, {}},
-      {"fbeta", {{{"demodulate", {"albedo", "fbeta"}}}}, {}},
+        {{"solver", {"gram"}}, {"windows", {"overlap"}}, {"tileSize", {"8", "16"}}}}},
+      {"iterations", {{{"iterations", {"1", "2", "3", "4", "5", "6", "7"}}}}},
+      {"weight",
+       {{{"irradianceLeastWeight", weights}, {"noisyLeastWeight", weights}},
+        {{"historyFrames", {"20", "10", "5", "2", "1"}}}}},
+      {"storage", {{{"solver", {"householder"}}, {"featureStorage", {"float", "half"}}}}},
+      {"taa", {{{"taa", {"on", "off"}}}}},
+      {"fbeta", {{{"demodulate", {"albedo", "fbeta"}}}}, {}, {}, true},
   };
   return all;
 }
@@ -75,5 +79,9 @@ std::vector<PlannedRun> planSweep(const std::string& name, const std::vector<std
 }
 
 std::vector<std::string> sweepSizes(const std::string& name) { return findSweep(name).sizes; }
+
+bool sweepNeedsRoughness(const std::string& name) { return findSweep(name).needsRoughness; }
+
+std::vector<double> sweepSkyShares(const std::string& name) { return findSweep(name).skyShares; }
 
 }  // namespace quell::cli

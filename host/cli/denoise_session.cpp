@@ -145,9 +145,19 @@ void DenoiseSession::run(const io::FrameData& frame) {
 Timings DenoiseSession::timings() {
   Timings timings = denoiser().timings();
   const BackgroundMap map = denoiser().backgroundMap();
-  for (StageTimings& stage : timings.stages)
-    if (std::find(map.stages.begin(), map.stages.end(), stage.label) != map.stages.end())
-      stage.skippedShare = map.share();
+  if (map.stages.empty()) return timings;
+  const double skipped = map.share();
+  const auto scale = [](std::uint64_t bytes, double share) {
+    return static_cast<std::uint64_t>(double(bytes) * share);
+  };
+  for (StageTimings& stage : timings.stages) {
+    if (stage.stage == "background") {  // takes what the others leave out
+      stage.bytesMoved = scale(stage.bytesMoved, skipped);
+    } else if (std::find(map.stages.begin(), map.stages.end(), stage.label) != map.stages.end()) {
+      stage.skippedShare = skipped;
+      stage.bytesMoved = scale(stage.bytesMoved, 1.0 - skipped);
+    }
+  }
   return timings;
 }
 

@@ -32,7 +32,8 @@ class DenoiseSession {
   /// Uploads and denoises, but leaves the outputs on the device; blocks. For timing.
   void run(const io::FrameData& frame);
 
-  /// The denoiser's times, with the share that the latest frame left out; blocks until that is done.
+  /// The denoiser's times, with the share that the latest frame left out and without the bytes of that; blocks until
+  /// that frame is done.
   Timings timings();
 
   const DeviceInfo& device() const;

@@ -43,8 +43,10 @@ double predictMs(const BenchRun& run, const Gpu& gpu, const OperationCounts& ope
   const double scale = kPixels / (double(run.report.size.width) * double(run.report.size.height));
   double ms = 0.0;
   for (const StageTimings& stage : run.report.timings->stages)
-    ms += rooflineMs(double(stage.bytesMoved) * scale, operations.perPixel(run.plan, stage.label) * kPixels,
-                     gpu.gigabytesPerSecond, gpu.gigaflops);
+    ms += rooflineMs(
+        double(stage.bytesMoved) * scale,
+        operations.perPixel(run.plan, stage.label) * kPixels * (1.0 - stage.skippedShare.value_or(0.0)),
+        gpu.gigabytesPerSecond, gpu.gigaflops);
   return ms;
 }
 

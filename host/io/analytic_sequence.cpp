@@ -82,7 +82,7 @@ class AnalyticSequence final : public FrameSequence {
  public:
   explicit AnalyticSequence(const AnalyticOptions& options) : m_options(options) {}
 
-  std::string name() const override { return "analytic room, seed " + std::to_string(m_options.seed); }
+  std::string name() const override;
   int width() const override { return m_options.width; }
   int height() const override { return m_options.height; }
   std::vector<int> frames() const override;
@@ -102,6 +102,12 @@ class AnalyticSequence final : public FrameSequence {
 
   AnalyticOptions m_options;
 };
+
+std::string AnalyticSequence::name() const {
+  const std::string room = "analytic room, seed " + std::to_string(m_options.seed);
+  if (m_options.skyShare == 0.0) return room;
+  return room + ", " + std::to_string(std::lround(100.0 * m_options.skyShare)) + " % sky";
+}
 
 std::vector<int> AnalyticSequence::frames() const {
   std::vector<int> numbers(std::size_t(m_options.frameCount));

@@ -203,8 +203,12 @@ TEST_CASE("bench runs sweeps beside the main runs, on the first input or on size
                                  "bmfr solver=householder featureStorage=half"});
   CHECK(cli::planSweep("features", {"bmfr"}).size() == 2 * 5);
   CHECK(cli::planSweep("iterations", {"svgf", "atrous"}).size() == 2 * 7);
-  CHECK(cli::sweepSizes("sizes").size() == 6);
+  CHECK(cli::sweepSizes("sizes").size() == 5);
   CHECK(cli::sweepSizes("taa").empty());
+  CHECK(namesOf(cli::planSweep("background", methodNames())) ==
+        std::vector<std::string>{"quell skip=on", "quell skip=off"});
+  CHECK(cli::sweepSkyShares("background") == std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0});
+  CHECK(cli::sweepSkyShares("sizes").empty());
   CHECK_THROWS_AS(cli::planSweep("windows", {"atrous"}), Error);
   for (const std::string& sweep : cli::sweepNames()) {
     for (const cli::PlannedRun& run : cli::planSweep(sweep, methodNames())) {
@@ -213,6 +217,47 @@ TEST_CASE("bench runs sweeps beside the main runs, on the first input or on size
       for (const auto& [setting, value] : run.assignments) CHECK_NOTHROW(settings.set(setting, value));
     }
   }
+}
+
+TEST_CASE("bench opens the built-in sequence once for every size and share of sky", "[cli]") {
+  cli::InputArguments arguments;
+  arguments.sizes = {"8x6", "16x9"};
+  arguments.skyShares = {0.0, 0.25, 1.0};
+  const std::vector<cli::BenchInput> inputs = cli::openInputs(arguments);
+  REQUIRE(inputs.size() == 2 * 3);
+  CHECK(inputs[1].sequence->name() == "analytic room, seed 1, 25 % sky");
+  CHECK(inputs[1].sequence->width() == 8);
+  CHECK(inputs[3].sequence->name() == "analytic room, seed 1");
+  CHECK(inputs[5].sequence->width() == 16);
+}
+
+TEST_CASE("the sweep of F_beta says what it needs where that is missing", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("bench.json");
+  REQUIRE(bench({"--methods", "atrous", "--input", kData, "--sweep", "fbeta", "--json", file}) == 0);
+  const json result = readJson(file);
+  REQUIRE(result.at("skipped").size() == 1);
+  CHECK(result.at("skipped")[0].at("run") == "atrous demodulate=fbeta");
+  CHECK(contains(result.at("skipped")[0].at("reason"), "roughness"));
+}
+
+TEST_CASE("what is skipped does not count as bytes moved", "[cli]") {
+  const TemporaryDirectory directory;
+  const auto varianceOf = [&](const std::string& skip) {
+    const std::string file = directory.file("denoise.json");
+    REQUIRE(quell({"denoise", "--size", "64x48", "--frame-count", "2", "--sky-share", "0.5", "--set",
+                   "skip=" + skip, "--json", file}) == 0);
+    const json stages = readJson(file).at("stages");
+    return *std::find_if(stages.begin(), stages.end(),
+                         [](const json& s) { return s.at("name") == "variance"; });
+  };
+  const json all = varianceOf("off"), some = varianceOf("on");
+  CHECK_FALSE(all.contains("skipped_share"));
+  const double share = some.at("skipped_share");
+  CHECK(share >= 0.5);
+  constexpr double kMap = 0.01;  // the map of what is background, over the images
+  CHECK(some.at("bytes").get<double>() ==
+        Approx((1.0 - share) * all.at("bytes").get<double>()).epsilon(kMap));
 }
 
 TEST_CASE("bench adds roofline, build times, sweeps and a page", "[cli]") {

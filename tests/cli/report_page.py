@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""The page of quell bench --html in headless Chromium: it loads without an error, shows every chart, switches metric
-and method, and moves the slider: report_page.py QUELL SEQUENCE"""
+"""What a short quell bench leaves: its page in headless Chromium (it loads without an error, shows every chart, switches
+metric and method, and moves the slider), what --compare says of the same run, and the pictures of bench/plots:
+report_page.py QUELL SEQUENCE"""
+import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 SKIPPED = 77  # exit code that CTest takes for a skipped test
 
@@ -35,10 +38,10 @@ DRIVE = """<script>
   const canvas = document.querySelector("#comparer canvas");
   const pixels = () => canvas.toDataURL();
   await until(() => comparer && comparer.right);
-  checks.charts = ["#pareto", "#stages", "#frame-times", "#frame-errors", "#sweeps"]
-      .every(name => document.querySelector(name + " svg"));
+  checks.charts = ["#pareto", "#stages", "#frame-times", "#sweeps"]
+      .every(name => document.querySelector(name + " svg")) && byId("frame-errors").textContent.length > 0;
   checks.tables = document.querySelectorAll("#table tr").length === RESULTS.runs.length + 1 &&
-      document.querySelectorAll("#model tr").length > 1;
+      document.querySelectorAll("#model tr").length > 1 && document.querySelectorAll("#stages tr").length > 10;
   const before = chart("#pareto .chart");
   change("metric", "flip");
   checks.metric = chart("#pareto .chart") !== before && chart("#pareto .chart").includes("FLIP");
@@ -70,12 +73,29 @@ DRIVE = """<script>
 
 def make_page(tool, sequence, folder):
     subprocess.run([tool, "bench", "--input", sequence, "--methods", "svgf,atrous", "--sweep", "taa", "--frames", "8",
-                    "--repeat", "1", "--html", folder], check=True, capture_output=True)
+                    "--repeat", "1", "--html", folder, "--json", folder + "/results.json"], check=True, capture_output=True)
     with open(folder + "/index.html") as file:
         page = file.read()
     assert not re.search(r"""(src|href)=["']?(https?:)?//""", page), "the page loads something from elsewhere"
     with open(folder + "/driven.html", "w") as file:
         file.write(page.replace("<body>", "<body>" + COLLECT).replace("</body>", DRIVE + "</body>"))
+
+
+def check_comparison(tool, sequence, folder):
+    """Outputs are deterministic: whatever the times, no figure of an equal run has changed."""
+    said = subprocess.run([tool, "bench", "--input", sequence, "--methods", "atrous", "--frames", "8", "--repeat", "1",
+                           "--compare", folder + "/results.json"], check=True, capture_output=True, text=True).stdout
+    assert "1 runs compared: " in said and "; 0 figures worse, 0 better" in said, said
+
+
+def check_plots(folder):
+    plots = os.path.join(os.path.dirname(__file__), "../../bench/plots")
+    subprocess.run([plots, folder + "/results.json", folder], check=True, capture_output=True)
+    picture = xml.etree.ElementTree.parse(folder + "/pareto.svg")
+    words = [node.text for node in picture.iter("{http://www.w3.org/2000/svg}text")]
+    for word in ("svgf", "atrous", "unbiased RMSE"):
+        assert word in words, words
+    assert not os.path.exists(folder + "/skipping.svg"), "a picture without its runs"
 
 
 def drive(browser, folder):
@@ -92,6 +112,8 @@ def main():
     browser = shutil.which("chromium")
     with tempfile.TemporaryDirectory() as folder:
         make_page(tool, sequence, folder)
+        check_comparison(tool, sequence, folder)
+        check_plots(folder)
         if not browser:
             print("skipped: chromium is not installed (scripts/install-dependencies browser)")
             return SKIPPED

@@ -2,7 +2,8 @@
 
 // The first six are Okabe and Ito's, told apart with every kind of colour vision; more follow for long lists.
 const COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00",
-                "#7f7f7f", "#b2df8a", "#8c564b", "#9467bd", "#bcbd22", "#f7b6d2"];
+                "#7f7f7f", "#b2df8a", "#8c564b", "#9467bd", "#bcbd22", "#f7b6d2",
+                "#17becf", "#a6761d", "#e7298a", "#1b4f3a", "#aec7e8", "#ffe14d"];
 const colorOf = index => COLORS[index % COLORS.length];
 
 function element(name, attributes, ...children) {
@@ -41,13 +42,20 @@ function frame({width = 960, height = 340, left = 70, right = 150, mostX, mostY,
              element("text", {x: (left + end) / 2, y: height - 6, "text-anchor": "middle"}, labelX),
              element("text", {transform: `translate(14 ${(bottom + 12) / 2}) rotate(-90)`, "text-anchor": "middle"},
                      labelY));
-  return {svg, x, y, end, bottom};
+  return {svg, x, y};
 }
 
-function legend(svg, names, x) {
-  names.forEach((name, i) => svg.append(
-      element("rect", {x, y: 12 + 18 * i, width: 10, height: 10, fill: colorOf(i)}),
-      element("text", {x: x + 15, y: 21 + 18 * i}, name.length > 22 ? name.slice(0, 21) + "…" : name, tooltip(name))));
+// A chart with the names of its colours below, in as many lines as they need.
+function withLegend(svg, names) {
+  const figure = document.createElement("figure"), legend = document.createElement("figcaption");
+  names.forEach((name, i) => {
+    const item = document.createElement("span"), swatch = document.createElement("i");
+    swatch.style.background = colorOf(i);
+    item.append(swatch, name);
+    legend.append(item);
+  });
+  figure.append(svg, legend);
+  return figure;
 }
 
 // points: [{x, y, name, color, text}]; those that no other beats are joined.
@@ -81,7 +89,7 @@ function lines(series, labelX, labelY) {
   const all = series.flatMap(s => s.points);
   const xs = [...new Set(all.map(p => p[0]))].sort((a, b) => a - b);
   const every = Math.ceil(xs.length / 12);
-  const chart = frame({height: 280, right: 200, mostY: Math.max(...all.map(p => p[1])), labelX, labelY,
+  const chart = frame({height: 280, right: 20, mostY: Math.max(...all.map(p => p[1])), labelX, labelY,
                        ticksX: xs.filter((_, i) => i % every === 0 || i === xs.length - 1)});
   series.forEach((s, i) => {
     const at = s.points.map(([x, y]) => `${chart.x(x)},${chart.y(y)}`).join(" ");
@@ -90,15 +98,14 @@ function lines(series, labelX, labelY) {
       chart.svg.append(element("circle", {cx: chart.x(x), cy: chart.y(y), r: 3, fill: colorOf(i)},
                                tooltip(`${s.name}: ${short(y)} at ${short(x)}`)));
   });
-  legend(chart.svg, series.map(s => s.name), chart.end + 14);
-  return chart.svg;
+  return withLegend(chart.svg, series.map(s => s.name));
 }
 
 // rows: [{name, parts: [{name, value, text}]}]
 function stackedBars(rows, label) {
   const names = [...new Set(rows.flatMap(r => r.parts.map(p => p.name)))];
-  const left = 220, width = 960, end = 760, bar = 26;
-  const height = Math.max(rows.length * (bar + 8), names.length * 18) + 56;
+  const left = 285, width = 960, end = 940, bar = 26;
+  const height = rows.length * (bar + 8) + 56;
   const svg = element("svg", {viewBox: `0 0 ${width} ${height}`, role: "img"});
   const steps = ticks(Math.max(...rows.map(r => r.parts.reduce((sum, p) => sum + p.value, 0))));
   const x = value => left + value / steps[steps.length - 1] * (end - left);
@@ -108,7 +115,7 @@ function stackedBars(rows, label) {
   rows.forEach((row, i) => {
     const y = 10 + i * (bar + 8);
     svg.append(element("text", {x: left - 8, y: y + 17, "text-anchor": "end"},
-                       row.name.length > 32 ? row.name.slice(0, 31) + "…" : row.name, tooltip(row.name)));
+                       row.name.length > 40 ? row.name.slice(0, 39) + "…" : row.name, tooltip(row.name)));
     let from = 0;
     for (const part of row.parts) {
       svg.append(element("rect", {x: x(from), y, width: Math.max(0, x(from + part.value) - x(from) - 1), height: bar,
@@ -117,6 +124,5 @@ function stackedBars(rows, label) {
     }
   });
   svg.append(element("text", {x: (left + end) / 2, y: height - 6, "text-anchor": "middle"}, label));
-  legend(svg, names, end + 14);
-  return svg;
+  return withLegend(svg, names);
 }

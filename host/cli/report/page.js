@@ -1,7 +1,12 @@
 // Fills the page from the results.
 const RESULTS = JSON.parse(document.getElementById("results").textContent);
 const METRICS = {
-  unbiased_rmse: "unbiased RMSE", rmse: "RMSE", flip: "FLIP", ssim: "1 - SSIM", temporal: "temporal error",
+  unbiased_rmse: "unbiased RMSE", rmse: "RMSE", flip: "FLIP", ssim: "1 - SSIM", relmse: "relMSE", temporal: "temporal error",
+};
+// Of sweeps over several inputs.
+const SWEEP_TITLES = {
+  sizes: "sizes (built-in sequence)",
+  background: "background (built-in sequence with 0 to 100 % of the rows showing sky)",
 };
 const byId = id => document.getElementById(id);
 const keyOf = run => `${run.input}, ${run.width}x${run.height}`;
@@ -34,9 +39,8 @@ function note(text) {
 }
 
 function paretoOf(runs, metric) {
-  const methods = [...new Set(RESULTS.runs.map(run => run.method))];
-  const points = runs.map(run => ({
-    x: run.frame_ms.median, y: errorOf(run, metric), name: run.run, color: methods.indexOf(run.method),
+  const points = runs.map((run, i) => ({
+    x: run.frame_ms.median, y: errorOf(run, metric), name: run.run, color: i,
     text: `${run.run}: ${short(run.frame_ms.median)} ms, ${METRICS[metric]} ${errorOf(run, metric)}`,
   })).filter(p => p.y !== null);
   return points.length ? scatter(points, "ms per frame", METRICS[metric]) : note("This sequence has no references.");
@@ -58,7 +62,24 @@ function stagesOf(runs) {
   })), "ms");
 }
 
-function showStages() { replace("#stages .chart", stagesOf(mainRuns())); }
+function showStages() {
+  const runs = mainRuns();
+  replace("#stages .chart", stagesOf(runs));
+  showTable(document.querySelector("#stages table"),
+            ["stage", "run", "ms", "least", "most", "MB", "GB/s", "of a copy", "at best ms", "flop/B", "skipped"],
+            runs.flatMap(run => run.stages.map(stage => [
+              stage.label, run.run, cell(stage.median_ms, 3), cell(stage.min_ms, 3), cell(stage.max_ms, 3),
+              cell(stage.bytes / 1e6, 3), cell(stage.gbs, 3), percent(stage.copy_share), cell(stage.bound_ms, 3),
+              stage.operations && stage.bytes ? cell(stage.operations / stage.bytes, 2) : "-", percent(stage.skipped_share),
+            ])));
+}
+
+function framesOf(errors, metric) {
+  const frames = [...new Set(errors.flatMap(series => series.points.map(point => point[0])))];
+  if (frames.length > 1) return lines(errors, "frame", METRICS[metric]);
+  return note(frames.length ? `Only frame ${frames[0]} has a reference: its errors are in the first chart.`
+                            : "No errors of single frames.");
+}
 
 function showFrames() {
   const metric = byId("metric").value, runs = mainRuns();
@@ -69,7 +90,7 @@ function showFrames() {
     name: run.run,
     points: (run.errors || []).map(frame => [frame.frame, figure(frame, metric)]).filter(p => p[1] !== null),
   })).filter(s => s.points.length);
-  replace("#frame-errors", errors.length ? lines(errors, "frame", METRICS[metric]) : note("No errors of single frames."));
+  replace("#frame-errors", framesOf(errors, metric));
 }
 
 // Settings that take different values within a sweep.
@@ -78,9 +99,26 @@ function variedSettings(runs) {
   return settings.filter(setting => new Set(runs.map(run => run.assignments[setting])).size > 2);
 }
 
+// Of runs of the sweep `weight`; a history of so many frames gives the newest one a share of it.
+const WEIGHTS = ["irradianceLeastWeight", "noisyLeastWeight"];
+function leastWeight(run) {
+  const weight = WEIGHTS.map(setting => run.assignments[setting]).find(value => value !== undefined);
+  return weight !== undefined ? Number(weight) : 1 / Number(run.assignments.historyFrames);
+}
+
+// The share of a run's frame that is skipped by those of `runs` that skip, on the same frames.
+function shareSkipped(run, runs) {
+  const shares = runs.filter(other => keyOf(other) === keyOf(run)).flatMap(other => other.stages.map(s => s.skipped_share ?? 0));
+  return Math.max(0, ...shares);
+}
+
 // The x axis of a sweep: the size, or the values of its longest setting (numbers, or their place in the list); null
 // where a sweep only compares a few choices.
 function sweepAxis(runs, sweep) {
+  if (sweep === "background")
+    return {name: "share of the frame that is skipped", of: run => shareSkipped(run, runs), varied: []};
+  if (sweep === "weight")
+    return {name: "least weight of the newest sample", of: leastWeight, varied: ["historyFrames", ...WEIGHTS]};
   if (sweep === "sizes") return {name: "megapixels", of: run => run.width * run.height / 1e6, varied: []};
   const varied = variedSettings(runs);
   const values = [...new Set(runs.map(run => varied.map(setting => run.assignments[setting]).find(v => v !== undefined)))];
@@ -121,7 +159,7 @@ function showSweeps() {
   for (const sweep of [...new Set(RESULTS.runs.map(run => run.sweep).filter(Boolean))]) {
     const runs = RESULTS.runs.filter(run => run.sweep === sweep);
     const title = document.createElement("h3");
-    title.textContent = sweep === "sizes" ? "sizes (built-in sequence)" : `${sweep} (${keyOf(runs[0])})`;
+    title.textContent = SWEEP_TITLES[sweep] ?? `${sweep} (${keyOf(runs[0])})`;
     nodes.push(title, ...sweepCharts(runs, sweep, byId("metric").value));
   }
   byId("sweeps").hidden = !nodes.length;
@@ -137,17 +175,24 @@ function showTable(table, head, rows) {
   table.replaceChildren(row(head, "th"), ...rows.map(cells => row(cells, "td")));
 }
 
+function showSkipped() {
+  byId("skipped").hidden = !RESULTS.skipped.length;
+  showTable(document.querySelector("#skipped table"), ["run", "sequence", "size", "reason"],
+            RESULTS.skipped.map(run => [run.run, run.input, `${run.width}x${run.height}`, run.reason]));
+}
+
+const percent = value => value === null || value === undefined ? "-" : `${Math.round(100 * value)} %`;
 const cell = (value, digits = 4) => value === null || value === undefined ? "-" : Number(value).toPrecision(digits);
 
 function showRuns() {
   showTable(document.querySelector("#table table"),
             ["run", "sequence", "size", "frame ms", "least", "most", "copies", "MiB", "cold build ms", "cached build ms",
-             ...Object.values(METRICS)],
+             ...Object.values(METRICS), "PSNR"],
             RESULTS.runs.map(run => [
               run.run, run.input, `${run.width}x${run.height}`, cell(run.frame_ms.median), cell(run.frame_ms.min),
               cell(run.frame_ms.max), cell(run.frame_ms.median / RESULTS.copy_ms, 3), (run.memory_bytes / 2 ** 20).toFixed(0),
               cell(run.build_ms?.cold, 3), cell(run.build_ms?.cached, 3),
-              ...Object.keys(METRICS).map(metric => cell(errorOf(run, metric))),
+              ...Object.keys(METRICS).map(metric => cell(errorOf(run, metric))), cell(errorOf(run, "psnr")),
             ]));
 }
 
@@ -180,7 +225,9 @@ function showPictures() {
 function showFacts() {
   const run = RESULTS.runs[0];
   const rate = RESULTS.fma_gflops ? `, multiply-adds ${RESULTS.fma_gflops.toFixed(1)} GFLOP/s` : "";
-  byId("facts").textContent = `${run.device}, driver ${run.driver}; ${RESULTS.repeat} rounds after a warm-up; ` +
+  const {version, compiler, assertions} = RESULTS.build;
+  byId("facts").textContent = `${run.device}, driver ${run.driver}; Quell ${version}, compiled by ${compiler} ` +
+      `${assertions ? "with" : "without"} assertions; ${RESULTS.repeat} rounds after a warm-up; ` +
       `copy bandwidth ${RESULTS.copy_gbs.toFixed(1)} GB/s (one copy: ${RESULTS.copy_ms.toFixed(3)} ms)${rate}`;
 }
 
@@ -201,3 +248,4 @@ showInput();
 showSweeps();
 showModel();
 showRuns();
+showSkipped();
