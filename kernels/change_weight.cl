@@ -5,6 +5,8 @@
 //          is taken for the squared bias b^2 of the history, in the same units. The mean squared error of a blend,
 //          (1 - w)^2 b^2 + w^2 c, is least at w = b^2 / (b^2 + c); c, the noise that one frame has left after the
 //          filter, is the setting changeGain.
+//          Luminance and warmth are tested alike, and the more significant counts: a cold light that goes out while a
+//          warm one goes on may leave a place as bright as it was.
 //          Light that changes goes on changing, and not in one tile alone: the mean significance around a tile over the
 //          last frames, its unrest, tells how likely change is there. Where light has been still it takes much to
 //          believe in change, so noise shortens few histories; where it has not, little.
@@ -21,13 +23,25 @@ typedef struct WindowSums {
   float weight;         // of all pixels
   float weightSquares;  // of all pixels
   float fullWeight;     // as if all pixels of all tiles had been compared
-  float sum;
-  float squares;
+  float sum[QUELL_INNOVATION_PLANES];
+  float squares[QUELL_INNOVATION_PLANES];
 } WindowSums;
+
+QUELL_INLINE WindowSums emptyWindow(void) {
+  WindowSums window;
+  window.weight = 0.0f;
+  window.weightSquares = 0.0f;
+  window.fullWeight = 0.0f;
+  for (int i = 0; i < QUELL_INNOVATION_PLANES; ++i) {
+    window.sum[i] = 0.0f;
+    window.squares[i] = 0.0f;
+  }
+  return window;
+}
 
 QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams params, int tileX, int tileY,
                                   int radius) {
-  WindowSums window = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+  WindowSums window = emptyWindow();
   for (int dy = -radius; dy <= radius; ++dy) {
     const int row = tileY + dy;
     if (row < 0 || row >= params.tilesY) continue;
@@ -39,20 +53,28 @@ QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams param
       window.weight += tent * tile[QUELL_CHANGE_COUNT];
       window.weightSquares += tent * tent * tile[QUELL_CHANGE_COUNT];
       window.fullWeight += tent * (float)(QUELL_CHANGE_TILE * QUELL_CHANGE_TILE);
-      window.sum += tent * tile[QUELL_CHANGE_SUM];
-      window.squares += tent * tile[QUELL_CHANGE_SQUARES];
+      for (int i = 0; i < QUELL_INNOVATION_PLANES; ++i) {
+        window.sum[i] += tent * tile[QUELL_CHANGE_SUM(i)];
+        window.squares[i] += tent * tile[QUELL_CHANGE_SQUARES(i)];
+      }
     }
   }
   return window;
 }
 
-// Of the mean difference over a window, squared, in variances.
+// Of the mean difference over a window, squared, in variances; the larger of luminance and warmth.
 QUELL_INLINE float significanceOf(WindowSums window) {
   if (window.weight < QUELL_CHANGE_LEAST_SHARE * window.fullWeight) return 0.0f;
-  const float mean = window.sum / window.weight;
-  const float spread = max(window.squares / window.weight - mean * mean, QUELL_CHANGE_LEAST_SPREAD);
-  const float variance = spread * (window.weightSquares / (window.weight * window.weight));
-  return mean * mean / variance;
+  float significance = 0.0f;
+  float leastSpread = QUELL_CHANGE_LEAST_SPREAD;
+  for (int i = 0; i < QUELL_INNOVATION_PLANES; ++i) {
+    const float mean = window.sum[i] / window.weight;
+    const float spread = max(window.squares[i] / window.weight - mean * mean, leastSpread);
+    const float variance = spread * (window.weightSquares / (window.weight * window.weight));
+    significance = max(significance, mean * mean / variance);
+    leastSpread = max(leastSpread, QUELL_CHANGE_LEAST_WARMTH * spread);
+  }
+  return significance;
 }
 
 // Unrest of the frame before, over a tent of 3x3 tiles: it spreads by a tile a frame, as light that moves does.

@@ -1,6 +1,7 @@
 #include "tests/oracle/change_sums_oracle.hpp"
 
 #include <cmath>
+#include <iterator>
 
 namespace quell::tests {
 namespace {
@@ -23,8 +24,12 @@ ChangeSumsExact changeSumsOracle(const ChangeSumsInputs& inputs) {
       if (inputs.historyLength.at(signal, x, y) < kLeastComparedLength) return;
       const int tile = y / QUELL_CHANGE_TILE * grid.columns + x / QUELL_CHANGE_TILE;
       const int record = (signal * grid.count() + tile) * QUELL_CHANGE_RECORD;
-      const double difference = inputs.innovation.at(signal, x, y);
-      const double terms[QUELL_CHANGE_RECORD] = {1.0, difference, difference * difference};
+      const double luminance =
+          inputs.innovation.at(QUELL_INNOVATION_PLANES * signal + QUELL_INNOVATION_LUMINANCE, x, y);
+      const double warmth =
+          inputs.innovation.at(QUELL_INNOVATION_PLANES * signal + QUELL_INNOVATION_WARMTH, x, y);
+      const double terms[] = {1.0, luminance, luminance * luminance, warmth, warmth * warmth};
+      static_assert(std::size(terms) == QUELL_CHANGE_RECORD);
       for (int i = 0; i < QUELL_CHANGE_RECORD; ++i) {
         exact.sums.at(0, record + i, 0) += terms[i];
         exact.magnitudes.at(0, record + i, 0) += std::abs(terms[i]);
