@@ -3,6 +3,6 @@
 set -eu
 cd "$(dirname "$0")"
 scripts/install-dependencies test
-cmake --preset dev
-cmake --build --preset dev
-ctest --test-dir build/dev --output-on-failure --parallel 2 "$@"
+cmake --preset test
+cmake --build --preset test
+ctest --test-dir build/test --output-on-failure --parallel 2 "$@"

@@ -18,7 +18,6 @@
 #include "tests/cases/gram_sums_case.hpp"
 #include "tests/cases/remodulate_case.hpp"
 #include "tests/cases/temporal_antialiasing_case.hpp"
-#include "tests/cases/tone_map_case.hpp"
 #include "tests/cases/variance_case.hpp"
 #include "tests/cases/weighted_sum_case.hpp"
 
@@ -64,7 +63,8 @@ void addImageStages(std::vector<StageEntry>& entries, const std::string& variant
   entries.push_back(
       entry<tests::RemodulateCase>("remodulate.two_signals_" + variant, mapping, layout, tests::kTwoSignals));
   entries.push_back(entry<tests::BackgroundCase>("background." + variant, mapping, layout));
-  entries.push_back(entry<tests::ToneMapCase>("tone_map.last_" + variant, mapping, layout, true));
+  entries.push_back(
+      entry<tests::RemodulateCase>("remodulate.last_" + variant, mapping, layout, kFullMaterial, true));
   entries.push_back(
       entry<tests::TemporalAntialiasingCase>("temporal_antialiasing." + variant, mapping, layout));
 }
@@ -75,7 +75,6 @@ void addPlaneStages(std::vector<StageEntry>& entries, const std::string& variant
   entries.push_back(entry<tests::FitCase>("fit." + variant, mapping, layout));
   entries.push_back(entry<tests::WeightedSumCase>("weighted_sum." + variant, mapping, layout));
   entries.push_back(entry<tests::AccumulateFilteredCase>("accumulate_filtered." + variant, mapping, layout));
-  entries.push_back(entry<tests::ToneMapCase>("tone_map." + variant, mapping, layout));
 }
 
 // Stages of the wavelet filters: the first and the last iteration of five, without and with all that there is.

@@ -1,6 +1,6 @@
 // background: where a work-item's pixels show nothing but background, everything from radiance to display in one pass,
-//          so that remodulate, tone_map and temporal_antialiasing can leave them out.
-// Source:  ours; radiance and encoding are those of remodulate and tone_map. Without sub-pixel jitter the background is
+//          so that remodulate and temporal_antialiasing can leave them out.
+// Source:  ours; radiance and encoding are those of remodulate. Without sub-pixel jitter the background is
 //          met in the same way in every frame and needs no antialiasing over time.
 // In:      the caller's radiance (or diffuse and glossy radiance) and emission, surfaces (see common/surfaces.h).
 // Out:     linear radiance in the caller's layout, display-encoded radiance as 3 planes (next to surfaces, which

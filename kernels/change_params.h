@@ -27,11 +27,11 @@ QUELL_NAMESPACE_END
 #define QUELL_CHANGE_TILE 8
 
 // A tile's record, per signal: pixels that could be compared; for luminance and for warmth the sum of their differences
-// and of the squares of these.
+// and of the squares of these; and what fills up a vector.
 #define QUELL_CHANGE_COUNT 0
 #define QUELL_CHANGE_SUM(plane) (1 + 2 * (plane))
 #define QUELL_CHANGE_SQUARES(plane) (2 + 2 * (plane))
-#define QUELL_CHANGE_RECORD (1 + 2 * QUELL_INNOVATION_PLANES)
+#define QUELL_CHANGE_RECORD 8
 
 // Windows are tents over 3x3 and 5x5 tiles: the small one sees where the light changed, the large one how faintly.
 #define QUELL_CHANGE_SMALL_WINDOW 1

@@ -62,13 +62,11 @@ __kernel void change_sums(__global const float* innovation, __global const uchar
       tile = addRow(tile, innovation + QUELL_INNOVATION_PLANES * s * planes.stride + index,
                     historyLength + s * planes.stride + index, planes.stride, inside);
     }
-    const int record = (s * tiles + tileY * params.tilesX + tileX) * QUELL_CHANGE_RECORD;
-    __global const float* before = sumsPrev + record;
-    sums[record + QUELL_CHANGE_COUNT] = total(tile.count) + params.sumsKept * before[QUELL_CHANGE_COUNT];
-    for (int i = 0; i < QUELL_INNOVATION_PLANES; ++i) {
-      sums[record + QUELL_CHANGE_SUM(i)] = total(tile.sum[i]) + params.sumsKept * before[QUELL_CHANGE_SUM(i)];
-      sums[record + QUELL_CHANGE_SQUARES(i)] =
-          total(tile.squares[i]) + params.sumsKept * before[QUELL_CHANGE_SQUARES(i)];
-    }
+    const int record = s * tiles + tileY * params.tilesX + tileX;
+    const float8 newest =
+        (float8)(total(tile.count), total(tile.sum[QUELL_INNOVATION_LUMINANCE]),
+                 total(tile.squares[QUELL_INNOVATION_LUMINANCE]), total(tile.sum[QUELL_INNOVATION_WARMTH]),
+                 total(tile.squares[QUELL_INNOVATION_WARMTH]), 0.0f, 0.0f, 0.0f);
+    vstore8(newest + params.sumsKept * vload8(record, sumsPrev), record, sums);
   }
 }

@@ -20,28 +20,14 @@
 
 // A weighted mean over the tiles around a tile: the weights of a tent, the pixels in each tile.
 typedef struct WindowSums {
-  float weight;         // of all pixels
+  float8 weighted;      // records of change_sums
   float weightSquares;  // of all pixels
   float fullWeight;     // as if all pixels of all tiles had been compared
-  float sum[QUELL_INNOVATION_PLANES];
-  float squares[QUELL_INNOVATION_PLANES];
 } WindowSums;
-
-QUELL_INLINE WindowSums emptyWindow(void) {
-  WindowSums window;
-  window.weight = 0.0f;
-  window.weightSquares = 0.0f;
-  window.fullWeight = 0.0f;
-  for (int i = 0; i < QUELL_INNOVATION_PLANES; ++i) {
-    window.sum[i] = 0.0f;
-    window.squares[i] = 0.0f;
-  }
-  return window;
-}
 
 QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams params, int tileX, int tileY,
                                   int radius) {
-  WindowSums window = emptyWindow();
+  WindowSums window = {(float8)(0.0f), 0.0f, 0.0f};
   for (int dy = -radius; dy <= radius; ++dy) {
     const int row = tileY + dy;
     if (row < 0 || row >= params.tilesY) continue;
@@ -49,14 +35,10 @@ QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams param
       const int column = tileX + dx;
       if (column < 0 || column >= params.tilesX) continue;
       const float tent = (float)((radius + 1 - abs(dx)) * (radius + 1 - abs(dy)));
-      __global const float* tile = sums + (row * params.tilesX + column) * QUELL_CHANGE_RECORD;
-      window.weight += tent * tile[QUELL_CHANGE_COUNT];
-      window.weightSquares += tent * tent * tile[QUELL_CHANGE_COUNT];
+      const float8 tile = vload8(row * params.tilesX + column, sums);
+      window.weighted += tent * tile;
+      window.weightSquares += tent * tent * tile.s0;
       window.fullWeight += tent * (float)(QUELL_CHANGE_TILE * QUELL_CHANGE_TILE);
-      for (int i = 0; i < QUELL_INNOVATION_PLANES; ++i) {
-        window.sum[i] += tent * tile[QUELL_CHANGE_SUM(i)];
-        window.squares[i] += tent * tile[QUELL_CHANGE_SQUARES(i)];
-      }
     }
   }
   return window;
@@ -64,17 +46,16 @@ QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams param
 
 // Of the mean difference over a window, squared, in variances; the larger of luminance and warmth.
 QUELL_INLINE float significanceOf(WindowSums window) {
-  if (window.weight < QUELL_CHANGE_LEAST_SHARE * window.fullWeight) return 0.0f;
-  float significance = 0.0f;
-  float leastSpread = QUELL_CHANGE_LEAST_SPREAD;
-  for (int i = 0; i < QUELL_INNOVATION_PLANES; ++i) {
-    const float mean = window.sum[i] / window.weight;
-    const float spread = max(window.squares[i] / window.weight - mean * mean, leastSpread);
-    const float variance = spread * (window.weightSquares / (window.weight * window.weight));
-    significance = max(significance, mean * mean / variance);
-    leastSpread = max(leastSpread, QUELL_CHANGE_LEAST_WARMTH * spread);
-  }
-  return significance;
+  const float weight = window.weighted.s0;
+  if (weight < QUELL_CHANGE_LEAST_SHARE * window.fullWeight) return 0.0f;
+  // As QUELL_CHANGE_SUM and QUELL_CHANGE_SQUARES have them: x luminance, y warmth.
+  const float2 mean = window.weighted.s13 / weight;
+  const float2 spread = window.weighted.s24 / weight - mean * mean;
+  const float luminanceSpread = max(spread.x, QUELL_CHANGE_LEAST_SPREAD);
+  const float leastWarmth = max(QUELL_CHANGE_LEAST_WARMTH * luminanceSpread, QUELL_CHANGE_LEAST_SPREAD);
+  const float warmthSpread = max(spread.y, leastWarmth);
+  const float2 bySpread = mean * mean / (float2)(luminanceSpread, warmthSpread);
+  return max(bySpread.x, bySpread.y) * (weight * weight / window.weightSquares);
 }
 
 // Unrest of the frame before, over a tent of 3x3 tiles: it spreads by a tile a frame, as light that moves does.

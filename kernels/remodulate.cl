@@ -1,10 +1,14 @@
-// remodulate: filtered irradiance back to radiance: per signal k * factor * filtered + (1 - k) * signal, plus emission.
+// remodulate: filtered irradiance back to radiance, per signal k * factor * filtered + (1 - k) * signal, plus emission;
+//             and its display encoding.
 // Paper:   Koskela et al. 2019, post-processing: albedo, removed before phase I, is multiplied back. The blend k is
-//          described in common/demodulation.h.
+//          described in common/demodulation.h. Display encoding: reference implementation (the paper leaves the tone
+//          map to the renderer).
 // In:      filtered irradiance (3 planes per signal), guides, the caller's radiance (or diffuse and glossy radiance),
 //          emission, albedo and gloss colour; F_beta (3 planes) where light was divided by it.
-// Out:     linear radiance as 3 planes and, if the caller wants it, in the caller's layout; finite, in [0, 65504].
+// Out:     linear radiance in the caller's layout, finite, in [0, 65504]; display-encoded radiance in [0, 1] as 3 planes
+//          (for temporal_antialiasing) or in the caller's layout (without it); of each what the caller wants.
 //          Background and broken surfaces pass the signal through; a missing sample there is black.
+#include "common/display_encoding.h"
 #include "common/guides.h"
 #include "common/material.h"
 #include "common/planes.h"
@@ -26,9 +30,9 @@ QUELL_INLINE float3L remodulateSignal(Signal signal, float3L filtered, intL surf
 }
 
 __kernel void remodulate(__global const float* filtered, __global const float* guides,
-                         __global const float* fBetaPlanes, MATERIAL_ARGUMENTS, __global float* linearPlanes,
-                         __global uchar* outputData, __global const uchar* surfaces,
-                         RemodulateParams params) {
+                         __global const float* fBetaPlanes, MATERIAL_ARGUMENTS, __global float* encodedPlanes,
+                         __global uchar* linearData, __global uchar* displayData,
+                         __global const uchar* surfaces, RemodulateParams params) {
   const PlaneParams planes = params.planes;
   const int x = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
@@ -49,10 +53,12 @@ __kernel void remodulate(__global const float* filtered, __global const float* g
     radianceOut = add3(radianceOut, remodulateSignal(material.signals[s], value, surface));
   }
   radianceOut = clamp3(radianceOut, 0.0f, QUELL_MAX_RADIANCE);
-#if WRITE_PLANES
-  storeLanes3(radianceOut, linearPlanes, index, planes.stride);
+#if LINEAROUTPUT_FORMAT
+  STORE_PIXELS(LINEAROUTPUT, radianceOut, linearData, params.linearOutput, x, y, lanes);
 #endif
-#if OUTPUT_FORMAT
-  STORE_PIXELS(OUTPUT, radianceOut, outputData, params.output, x, y, lanes);
+#if WRITE_PLANES
+  storeLanes3(encodeDisplay3(radianceOut), encodedPlanes, index, planes.stride);
+#elif DISPLAYOUTPUT_FORMAT
+  STORE_PIXELS(DISPLAYOUTPUT, encodeDisplay3(radianceOut), displayData, params.displayOutput, x, y, lanes);
 #endif
 }

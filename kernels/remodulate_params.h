@@ -10,7 +10,8 @@ QUELL_NAMESPACE_BEGIN
 typedef struct RemodulateParams {
   PlaneParams planes;
   MaterialParams material;
-  ImageViewParams output;
+  ImageViewParams linearOutput;
+  ImageViewParams displayOutput;
 } RemodulateParams;
 
 QUELL_NAMESPACE_END

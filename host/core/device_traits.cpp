@@ -1,6 +1,12 @@
 #include "host/core/device_traits.hpp"
 
 namespace quell {
+namespace {
+
+// PoCL 3.1. It keeps the machine code that it launches in a cache of its own, so nothing is lost without binaries.
+constexpr char kPoclPlatform[] = "Portable Computing Language";
+
+}  // namespace
 
 DeviceTraits queryDeviceTraits(const cl::Device& device, Mapping mapping) {
   DeviceTraits traits;
@@ -11,6 +17,8 @@ DeviceTraits queryDeviceTraits(const cl::Device& device, Mapping mapping) {
   const bool wide = mapping == Mapping::Wide || (mapping == Mapping::Automatic && traits.isCpu);
   traits.lanes = wide ? 16 : 1;
   traits.maxWorkGroup = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+  const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>(), true);
+  traits.compilesForBinaries = platform.getInfo<CL_PLATFORM_NAME>() == kPoclPlatform;
   return traits;
 }
 

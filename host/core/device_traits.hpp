@@ -14,6 +14,8 @@ struct DeviceTraits {
   bool isCpu = false;
   int lanes = 1;  ///< pixels per work-item of the per-pixel kernels, 1 or 16
   std::size_t maxWorkGroup = 1;
+  /// To give a program's binary the runtime compiles every kernel once more, for a work-group of any size.
+  bool compilesForBinaries = false;
 };
 
 DeviceTraits queryDeviceTraits(const cl::Device& device, Mapping mapping);

@@ -19,6 +19,8 @@ class DiskCache {
   /// `directory` empty: no cache; nothing is read or written.
   explicit DiskCache(std::string directory) : m_directory(std::move(directory)) {}
 
+  bool enabled() const { return !m_directory.empty(); }
+
   /// The bytes last written under this key, never empty; nothing if there is no intact entry.
   std::optional<Bytes> read(const std::string& key) const;
 

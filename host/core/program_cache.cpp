@@ -101,7 +101,9 @@ cl::Program ProgramCache::build(const cl::Context& context, const cl::Device& de
     }
   }
   const cl::Program program = fromSource(context, device, stage, source, options);
-  const Binary binary = binaryOf(program, device);
+  // Where nothing is left for the next process, a binary that costs a compilation is not worth it.
+  const bool keep = m_disk.enabled() || !traits.compilesForBinaries;
+  const Binary binary = keep ? binaryOf(program, device) : Binary{};
   remember(key, binary, &ProgramCacheCounters::built);
   m_disk.write(key, binary);
   return program;

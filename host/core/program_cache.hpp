@@ -19,7 +19,7 @@ struct ProgramCacheCounters {
 /// Thread-safe. A program's key is device, driver, options and source; entries on disk are those of a DiskCache.
 class ProgramCache {
  public:
-  /// `directory` empty: no disk cache.
+  /// `directory` empty: no disk cache, nor one in memory for devices that compile for binaries (DeviceTraits).
   explicit ProgramCache(std::string directory) : m_disk(std::move(directory)) {}
 
   /// Throws Error(BuildFailed) with the build log; `stage` names the culprit.

@@ -4,7 +4,6 @@
 #include "host/stages/background.hpp"
 #include "host/stages/remodulate.hpp"
 #include "host/stages/temporal_antialiasing.hpp"
-#include "host/stages/tone_map.hpp"
 
 namespace quell {
 
@@ -54,24 +53,20 @@ void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std:
 void addOutputStages(Schedule& schedule, const Configuration& configuration, const std::string& filtered,
                      bool antialias, bool skip) {
   using Names = std::vector<std::string>;
-  const bool display = configuration.output.display.present();
+  const bool encodes = configuration.output.display.present() && antialias;
   const Names surfaces = skip ? Names{"surfaces"} : Names{};
-  schedule.buffers.push_back(transient("linear", Element::Float32, 3));
-  if (display && antialias) {
+  if (encodes) {
     schedule.buffers.push_back(transient("encoded", Element::Float32, 3));
     schedule.buffers.push_back(history("antialiased", Element::Float32, 3));
   }
   if (skip)
-    addStage(schedule, std::make_unique<Background>(display && antialias), surfaces,
-             display && antialias ? Names{"encoded", "antialiased"} : Names{});
-  addStage(schedule, std::make_unique<Remodulate>(filtered, display, skip),
+    addStage(schedule, std::make_unique<Background>(encodes), surfaces,
+             encodes ? Names{"encoded", "antialiased"} : Names{});
+  addStage(schedule, std::make_unique<Remodulate>(filtered, encodes, skip),
            joinedNames(joinedNames({filtered, "guides"}, surfaces),
                        dividesByFBeta(configuration) ? Names{"fBeta"} : Names{}),
-           display ? Names{"linear"} : Names{});
-  if (!display) return;
-  addStage(schedule, std::make_unique<ToneMap>(!antialias, skip), joinedNames({"linear"}, surfaces),
-           antialias ? Names{"encoded"} : Names{});
-  if (!antialias) return;
+           encodes ? Names{"encoded"} : Names{});
+  if (!encodes) return;
   addStage(schedule,
            std::make_unique<TemporalAntialiasing>(configuration.settings.get("taaNewestWeight"), skip),
            joinedNames({"encoded", "antialiased.prev", "pixelPrev", "reprojectionMask"}, surfaces),

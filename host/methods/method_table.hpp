@@ -35,7 +35,7 @@ std::vector<std::string> previousNames(std::vector<std::string> names);
 void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
               std::vector<std::string> writes);
 
-/// Adds the lines from filtered irradiance to the caller's images: remodulate, tone_map and, with `antialias`,
+/// Adds the lines from filtered irradiance to the caller's images: remodulate and, with `antialias`,
 /// temporal_antialiasing, and the buffers between them. Reads guides and, with `antialias`, pixelPrev and
 /// reprojectionMask. With `skip` background has a stage of its own, and surfaces is read.
 void addOutputStages(Schedule& schedule, const Configuration& configuration, const std::string& filtered,

@@ -20,6 +20,12 @@ QUELL_INLINE int isBackground(__global const uchar* surfaces, PlaneParams planes
 
 // Whether a work-item with a surface is next to this one: then its 3x3 neighbourhoods reach into this one's pixels.
 QUELL_INLINE int isNearSurface(__global const uchar* surfaces, PlaneParams planes, int x, int y) {
+  const int columns = (planes.width + QUELL_LANES - 1) / QUELL_LANES;
+  if (x >= QUELL_LANES && x + QUELL_LANES < planes.width && y > 0 && y + 1 < planes.height) {
+    __global const uchar* left = surfaces + surfaceIndex(planes, x, y) - 1;
+    const uchar3 found = vload3(0, left - columns) | vload3(0, left) | vload3(0, left + columns);
+    return found.x | found.y | found.z;
+  }
   int found = 0;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {

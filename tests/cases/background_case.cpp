@@ -25,15 +25,6 @@ BackgroundInputs randomInputs(Size size, unsigned seed) {
   return {material.radiance, material.emission};
 }
 
-Planes outputPlanes(const StageHarness& harness, ImageView Output::*image) {
-  const io::Image pixels = harness.output(image);
-  Planes planes(harness.size(), 3);
-  forEachPixel(harness.size(), [&](int x, int y) {
-    for (int c = 0; c < 3; ++c) planes.at(c, x, y) = pixels.at(x, y, c);
-  });
-  return planes;
-}
-
 }  // namespace
 
 BackgroundCase::BackgroundCase(const CaseOptions& options)

@@ -6,7 +6,7 @@
 
 namespace quell::tests {
 
-/// Of linear radiance, relative; of encoded radiance that of tone_map.
+/// Of linear radiance, relative; of encoded radiance kEncodingTolerance.
 constexpr double kBackgroundTolerance = 3e-7;
 
 class BackgroundCase : public StageCase {

@@ -31,15 +31,22 @@ StageSetup makeSetup(const CaseOptions& options) {
   return setup;
 }
 
+Planes outputPlanes(const StageHarness& harness, ImageView Output::*image) {
+  const io::Image pixels = harness.output(image);
+  Planes planes(harness.size(), 3);
+  forEachPixel(harness.size(), [&](int x, int y) {
+    for (int c = 0; c < 3; ++c) planes.at(c, x, y) = pixels.at(x, y, c);
+  });
+  return planes;
+}
+
 void compareOutput(Comparison& comparison, const StageHarness& harness, ImageView Output::*image,
                    const ExactPlanes& exact, const BasicPlanes<char>* excluded, const ExactPlanes* scales) {
   const io::Image pixels = harness.output(image);
-  Planes planes(exact.size(), 3);
-  forEachPixel(exact.size(), [&](int x, int y) {
-    for (int c = 0; c < 3; ++c) planes.at(c, x, y) = pixels.at(x, y, c);
-    if (pixels.channels == 4) comparison.include("alpha", 3, x, y, pixels.at(x, y, 3), 1.0);
-  });
-  comparePixels(comparison, "output", planes, exact, excluded, scales);
+  if (pixels.channels == 4)
+    forEachPixel(exact.size(),
+                 [&](int x, int y) { comparison.include("alpha", 3, x, y, pixels.at(x, y, 3), 1.0); });
+  comparePixels(comparison, "output", outputPlanes(harness, image), exact, excluded, scales);
   const ImageView& view = harness.configuration().output.*image;
   if (!gapsUntouched(harness.outputBytes(image), view, exact.size()))
     comparison.include("bytes between pixels", 0, 0, 0, std::numeric_limits<double>::infinity(), 0.0);

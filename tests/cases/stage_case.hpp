@@ -61,6 +61,9 @@ double storageError(const ImageLayout& layout);
 /// Size, mapping, work-groups and features of the options, with those images that the features are made of.
 StageSetup makeSetup(const CaseOptions& options);
 
+/// The three colours of one of the caller's images.
+Planes outputPlanes(const StageHarness& harness, ImageView Output::*image);
+
 /// Compares one of the caller's images with the planes that it should hold: a fourth component must be 1 and
 /// bytes that belong to no component untouched. The last arguments are those of comparePixels().
 void compareOutput(Comparison& comparison, const StageHarness& harness, ImageView Output::*image,

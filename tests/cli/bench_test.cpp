@@ -219,7 +219,7 @@ TEST_CASE("bench adds roofline, build times, sweeps and a page", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.file("bench.json"), counts = directory.file("counts.json");
   constexpr double kPerPixel = 1000.0;
-  io::writeTextFile(counts, R"json({"atrous": {"tone_map": 1000, "atrous (step 1)": 1e9}})json");
+  io::writeTextFile(counts, R"json({"atrous": {"remodulate": 1000, "atrous (step 1)": 1e9}})json");
   REQUIRE(
       bench({"--methods", "atrous", "--size", "64x48", "--sweep", "iterations", "--roofline", "--operations",
              counts, "--build-times", "--json", file, "--html", directory.file("page")}) == 0);

@@ -41,7 +41,7 @@ TEST_CASE("a tuned device is used as it was tuned until that is forgotten", "[cl
 
   DeviceTuning tuning;
   for (const char* stage : {"accumulate_noisy", "gram_sums", "gram_solve", "weighted_sum",
-                            "accumulate_filtered", "remodulate", "tone_map", "temporal_antialiasing"})
+                            "accumulate_filtered", "remodulate", "temporal_antialiasing"})
     tuning[stage] = {otherLanes, {4, 2}, 0};
   writeTuning(DiskCache(cache.path()), device.identity, tuning);
   CHECK(outputHash(cache.path(), "automatic") == other);

@@ -10,7 +10,6 @@
 #include "kernels/gram_params.h"
 #include "kernels/remodulate_params.h"
 #include "kernels/temporal_antialiasing_params.h"
-#include "kernels/tone_map_params.h"
 #include "tests/support/small_denoiser.hpp"
 
 namespace quell::tests {
@@ -36,8 +35,7 @@ std::vector<ParamsStruct> paramsStructs() {
       QUELL_PARAMS("fit_params.h", FitParams, noiseAmplitude),
       QUELL_PARAMS("gram_params.h", GramParams, noiseVariance),
       QUELL_PARAMS("accumulate_filtered_params.h", AccumulateFilteredParams, leastWeight),
-      QUELL_PARAMS("remodulate_params.h", RemodulateParams, output),
-      QUELL_PARAMS("tone_map_params.h", ToneMapParams, output),
+      QUELL_PARAMS("remodulate_params.h", RemodulateParams, displayOutput),
       QUELL_PARAMS("temporal_antialiasing_params.h", TemporalAntialiasingParams, newestWeight),
   };
 }

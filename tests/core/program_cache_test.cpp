@@ -24,10 +24,12 @@ std::string storing(int value) {
   return "__kernel void store(__global int* out) { out[0] = " + std::to_string(value) + "; }\n";
 }
 
-cl::Program build(const OpenDevice& device, const std::string& directory, const std::string& source) {
-  return ProgramCache(directory).build(device.context, device.device,
-                                       queryDeviceTraits(device.device, Mapping::Automatic), "store", source,
-                                       "");
+// As on devices that give binaries for nothing, unless told otherwise.
+cl::Program build(const OpenDevice& device, const std::string& directory, const std::string& source,
+                  bool compilesForBinaries = false) {
+  DeviceTraits traits = queryDeviceTraits(device.device, Mapping::Automatic);
+  traits.compilesForBinaries = compilesForBinaries;
+  return ProgramCache(directory).build(device.context, device.device, traits, "store", source, "");
 }
 
 int storedBy(const OpenDevice& device, const cl::Program& program) {
@@ -110,6 +112,16 @@ TEST_CASE("a program is read from disk by the next process", "[core]") {
   CHECK(afterRestart(device, nested, 102) == kFromDisk);
   CHECK(stepOf([&] { build(device, nested, storing(102)); }) == kFromMemory);
   CHECK(afterRestart(device, nested, 103) == kBuilt);
+}
+
+TEST_CASE("binaries that cost a compilation are taken only where the next process finds them", "[core]") {
+  const OpenDevice device;
+  const TemporaryDirectory directory;
+  for (int i = 0; i < 2; ++i)
+    CHECK(stepOf([&] { CHECK(storedBy(device, build(device, "", storing(112), true)) == 112); }) == kBuilt);
+  CHECK(stepOf([&] { build(device, directory.path(), storing(112), true); }) == kBuilt);
+  CHECK(stepOf([&] { build(device, "", storing(112), true); }) == kFromMemory);
+  CHECK(afterRestart(device, directory.path(), 112) == kFromDisk);
 }
 
 TEST_CASE("other options and other devices never share a program", "[core]") {
@@ -242,12 +254,12 @@ TEST_CASE("a build error carries the log with file and line of the kernel source
   try {
     ProgramCache(directory.path())
         .build(device.context, device.device, queryDeviceTraits(device.device, Mapping::Automatic),
-               "tone_map", kernelSources().at("tone_map"), "-D QUELL_LANES=3");
+               "remodulate", kernelSources().at("remodulate"), "-D QUELL_LANES=3");
     FAIL("no error");
   } catch (const Error& error) {
     const int line = lineOf("common/lanes.h", "#error");
     CHECK(error.code() == ErrorCode::BuildFailed);
-    CHECK(error.stage() == "tone_map");
+    CHECK(error.stage() == "remodulate");
     CHECK(error.buffer().find("-D QUELL_LANES=3") != std::string::npos);
     INFO(error.got());
     CHECK(error.got().find("CL_BUILD_PROGRAM_FAILURE") != std::string::npos);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/oracle/tone_map_oracle.hpp"
+#include "tests/oracle/display_encoding_oracle.hpp"
 
 namespace quell::tests {
 namespace {

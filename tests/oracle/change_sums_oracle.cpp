@@ -1,7 +1,6 @@
 #include "tests/oracle/change_sums_oracle.hpp"
 
 #include <cmath>
-#include <iterator>
 
 namespace quell::tests {
 namespace {
@@ -28,8 +27,12 @@ ChangeSumsExact changeSumsOracle(const ChangeSumsInputs& inputs) {
           inputs.innovation.at(QUELL_INNOVATION_PLANES * signal + QUELL_INNOVATION_LUMINANCE, x, y);
       const double warmth =
           inputs.innovation.at(QUELL_INNOVATION_PLANES * signal + QUELL_INNOVATION_WARMTH, x, y);
-      const double terms[] = {1.0, luminance, luminance * luminance, warmth, warmth * warmth};
-      static_assert(std::size(terms) == QUELL_CHANGE_RECORD);
+      double terms[QUELL_CHANGE_RECORD] = {};
+      terms[QUELL_CHANGE_COUNT] = 1.0;
+      terms[QUELL_CHANGE_SUM(QUELL_INNOVATION_LUMINANCE)] = luminance;
+      terms[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_LUMINANCE)] = luminance * luminance;
+      terms[QUELL_CHANGE_SUM(QUELL_INNOVATION_WARMTH)] = warmth;
+      terms[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_WARMTH)] = warmth * warmth;
       for (int i = 0; i < QUELL_CHANGE_RECORD; ++i) {
         exact.sums.at(0, record + i, 0) += terms[i];
         exact.magnitudes.at(0, record + i, 0) += std::abs(terms[i]);

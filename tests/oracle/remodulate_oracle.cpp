@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/accumulate_noisy_params.h"
+#include "tests/oracle/display_encoding_oracle.hpp"
 
 namespace quell::tests {
 namespace {
@@ -37,7 +38,8 @@ Vector3d filteredAt(const Planes& filtered, int x, int y, int signal) {
 
 RemodulateExact remodulateOracle(const RemodulateInputs& inputs) {
   const Size size = inputs.filtered.size();
-  RemodulateExact exact{ExactPlanes(size, 3), ExactPlanes(size, 1), BasicPlanes<char>(size, 1)};
+  RemodulateExact exact{ExactPlanes(size, 3), ExactPlanes(size, 3), ExactPlanes(size, 1),
+                        BasicPlanes<char>(size, 1)};
   forEachPixel(size, [&](int x, int y) {
     const bool surface = isSurface(inputs.guides, x, y);
     Vector3d sum = Vector3d::Zero();
@@ -49,8 +51,10 @@ RemodulateExact remodulateOracle(const RemodulateInputs& inputs) {
       magnitude = std::max({magnitude, result.magnitude, material.emission.cwiseAbs().maxCoeff()});
       exact.undecided.at(0, x, y) |= char(factorUndecided(material));
     }
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < 3; ++c) {
       exact.linear.at(c, x, y) = std::clamp<double>(sum[c], 0.0, QUELL_MAX_RADIANCE);
+      exact.encoded.at(c, x, y) = encodeDisplayExact(exact.linear.at(c, x, y));
+    }
   });
   return exact;
 }

@@ -14,6 +14,7 @@ struct RemodulateInputs {
 
 struct RemodulateExact {
   ExactPlanes linear;           ///< 3 planes
+  ExactPlanes encoded;          ///< for display, 3 planes
   ExactPlanes magnitude;        ///< largest term of the pixel: what rounding errors are relative to, 1 plane
   BasicPlanes<char> undecided;  ///< pixels on which float and double may decide differently
 };

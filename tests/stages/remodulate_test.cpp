@@ -4,6 +4,7 @@
 #include "kernels/accumulate_noisy_params.h"
 #include "tests/cases/demodulate_case.hpp"
 #include "tests/cases/remodulate_case.hpp"
+#include "tests/oracle/display_encoding_oracle.hpp"
 #include "tests/support/random_images.hpp"
 #include "tests/support/stage_checks.hpp"
 
@@ -12,8 +13,25 @@ using namespace quell::tests;
 
 namespace {
 
-CaseMaker maker(const MaterialVariant& variant) {
-  return [variant](const CaseOptions& options) { return std::make_unique<RemodulateCase>(options, variant); };
+CaseMaker maker(const MaterialVariant& variant, bool isLast = false) {
+  return [variant, isLast](const CaseOptions& options) {
+    return std::make_unique<RemodulateCase>(options, variant, isLast);
+  };
+}
+
+// Encodes these values of background, one a pixel, as grey.
+std::vector<float> encode(const std::vector<float>& values, Mapping mapping) {
+  CaseOptions options;
+  options.size = {int(values.size()), 1};
+  options.mapping = mapping;
+  RemodulateCase remodulate(options, kPlainMaterial);
+  std::fill(remodulate.inputs.guides.values.begin(), remodulate.inputs.guides.values.end(), 0.0f);
+  for (int x = 0; x < options.size.width; ++x)
+    for (int c = 0; c < 3; ++c) remodulate.inputs.material.radiance.at(x, 0, c) = values[std::size_t(x)];
+  remodulate.upload();
+  remodulate.run();
+  const Planes encoded = remodulate.encoded();
+  return {encoded.values.begin(), encoded.values.begin() + options.size.width};
 }
 
 // The spacing of halves at this value.
@@ -43,10 +61,39 @@ TEST_CASE("remodulate agrees with its oracle whichever images there are") {
   checkVariants(makers);
 }
 
-TEST_CASE("remodulate reads and writes every layout") { checkLayouts(maker(kFullMaterial), outputLayouts()); }
+TEST_CASE("remodulate reads and writes every layout") {
+  checkLayouts(maker(kFullMaterial, true), outputLayouts());
+}
 
 TEST_CASE("remodulate does not depend on the work-group") {
-  checkWorkGroups(maker(kFullMaterial), {"linear"});
+  checkWorkGroups(maker(kFullMaterial), {"encoded"});
+}
+
+TEST_CASE("remodulate encodes 0 and 1 as themselves, clamps, and never decreases") {
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    std::vector<float> ramp;
+    for (int i = 0; i <= 4096; ++i) ramp.push_back(float(i) / 4096.0f);
+    ramp.push_back(2.0f);
+    const std::vector<float> encoded = encode(ramp, mapping);
+    CHECK(encoded.front() == 0.0f);
+    CHECK(encoded[4096] == Approx(1.0).margin(kEncodingTolerance));
+    CHECK(encoded[4096] <= 1.0f);
+    CHECK(encoded.back() == encoded[4096]);
+    CHECK(std::is_sorted(encoded.begin(), encoded.end()));
+    double worst = 0.0;
+    for (std::size_t i = 0; i < ramp.size(); ++i)
+      worst = std::max(worst, std::abs(encoded[i] - encodeDisplayExact(ramp[i])));
+    CHECK(worst <= kEncodingTolerance);
+  }
+}
+
+TEST_CASE("remodulate encodes any input into [0, 1]") {
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    for (const float value : encode(adversarialValues(), mapping)) {
+      CHECK(value >= 0.0f);
+      CHECK(value <= 1.0f);
+    }
+  }
 }
 
 TEST_CASE("demodulate then remodulate is the identity to one unit in the last place of a half") {

@@ -12,6 +12,7 @@
 #include "host/core/opencl.hpp"
 #include "host/io/analytic_sequence.hpp"
 #include "tests/support/image_layout.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace quell::tests {
 
@@ -161,11 +162,13 @@ class FrameBuffers {
   std::vector<cl::Buffer> m_buffers;
 };
 
-/// Options that leave the user's cache directory alone.
+/// Options that leave the user's cache directory alone. Tests of one process share a directory, since many denoisers of
+/// the same kind start faster from binaries.
 inline Options testOptions(TimerMode timers = TimerMode::Off) {
+  static const TemporaryDirectory directory;
   Options options;
   options.timers = timers;
-  options.cacheDirectory = "";
+  options.cacheDirectory = directory.path();
   return options;
 }
 
