@@ -8,8 +8,8 @@
 // Out:     per signal: irradiance (3 planes), history length (bytes), reprojection mask (bytes) and, with MOMENTS, the
 //          moments of luminance (2 planes); guides (see common/guides.h); pixel index in the frame before (2 planes);
 //          F_beta (3 planes) where light is divided by it;
-//          with INNOVATION the newest sample (3 planes, -1 where it is missing) and its luminance minus that of the
-//          history (1 plane, 0 where one of them is missing); with SKIP `surfaces` (see common/surfaces.h);
+//          with INNOVATION the newest sample (3 planes, -1 where it is missing) and how far it is from the history
+//          in luminance and in warmth, which is red minus blue (2 planes, 0 where one of them is missing); with SKIP `surfaces` (see common/surfaces.h);
 //          with FILTER_GUIDES view depth (1 plane) and, where the caller has it, roughness (1 plane); where the caller
 //          has them, object ids (1 plane).
 // Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded and limited: a
@@ -93,8 +93,10 @@ QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL
 #if INNOVATION
   // Irradiance is never negative: -1 stands for a missing sample.
   storeLanes3(select3(sample.present, sample.irradiance, splat3(-1.0f)), newestIrradiance, 0, stride);
-  const floatL step = luminance(sample.irradiance) - luminance(history.irradiance);
-  storeLanes(sample.present && hasHistory ? step : ZERO_LANES, innovation);
+  const intL comparable = sample.present && hasHistory;
+  const float3L step = subtract3(sample.irradiance, history.irradiance);
+  storeLanes(comparable ? luminance(step) : ZERO_LANES, innovation + QUELL_INNOVATION_LUMINANCE * stride);
+  storeLanes(comparable ? step.x - step.z : ZERO_LANES, innovation + QUELL_INNOVATION_WARMTH * stride);
 #endif
 #if MOMENTS
   const floatL newest = luminance(sample.irradiance);
@@ -226,11 +228,11 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
   const intL mostFrames = still ? (intL)(params.mostFramesStill) : (intL)(params.mostFrames);
   UNROLL_ON_GPU
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    const floatL weight =
-        storeBlended(normaliseHistory(history[s]), turn, makeSample(material.signals[s], surface.valid),
-                     mostFrames, params, irradiance + 3 * s * stride + index,
-                     moments + QUELL_MOMENT_PLANES * s * stride + index, historyLength + s * stride + index,
-                     newestIrradiance + 3 * s * stride + index, innovation + s * stride + index);
+    const floatL weight = storeBlended(
+        normaliseHistory(history[s]), turn, makeSample(material.signals[s], surface.valid), mostFrames,
+        params, irradiance + 3 * s * stride + index, moments + QUELL_MOMENT_PLANES * s * stride + index,
+        historyLength + s * stride + index, newestIrradiance + 3 * s * stride + index,
+        innovation + QUELL_INNOVATION_PLANES * s * stride + index);
     storeLanes(weight, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
     storeByteLanes(mask[s], reprojectionMask + s * stride + index);
   }

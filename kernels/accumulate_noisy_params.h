@@ -3,6 +3,7 @@
 #define QUELL_ACCUMULATE_NOISY_PARAMS_H
 
 #include "common/guides.h"
+#include "common/innovation.h"
 #include "common/material_params.h"
 #include "common/motion_params.h"
 #include "common/reprojection_params.h"

@@ -2,6 +2,7 @@
 #ifndef QUELL_CHANGE_PARAMS_H
 #define QUELL_CHANGE_PARAMS_H
 
+#include "common/innovation.h"
 #include "common/types.h"
 
 QUELL_NAMESPACE_BEGIN
@@ -25,12 +26,12 @@ QUELL_NAMESPACE_END
 // Edge of a tile, pixels.
 #define QUELL_CHANGE_TILE 8
 
-// A tile's record, per signal: pixels that could be compared, sum of their differences and of the squares of these, and
-// one number that only fills up a vector.
+// A tile's record, per signal: pixels that could be compared; for luminance and for warmth the sum of their differences
+// and of the squares of these; and what fills up a vector.
 #define QUELL_CHANGE_COUNT 0
-#define QUELL_CHANGE_SUM 1
-#define QUELL_CHANGE_SQUARES 2
-#define QUELL_CHANGE_RECORD 4
+#define QUELL_CHANGE_SUM(plane) (1 + 2 * (plane))
+#define QUELL_CHANGE_SQUARES(plane) (2 + 2 * (plane))
+#define QUELL_CHANGE_RECORD 8
 
 // Windows are tents over 3x3 and 5x5 tiles: the small one sees where the light changed, the large one how faintly.
 #define QUELL_CHANGE_SMALL_WINDOW 1
@@ -40,14 +41,17 @@ QUELL_NAMESPACE_END
 #define QUELL_CHANGE_LEAST_SHARE 0.0625f
 
 // Unrest: the share that is kept of the frame before, which makes it a mean over some ten frames; the largest
-// significance that enters, so that one jump is forgotten as soon; up to which tiles are still (noise alone: 0.8)
+// significance that enters, so that one jump is forgotten as soon; up to which tiles are still (noise alone: 1.1)
 // and from which on restless. Source: sweep, docs/quell-sweep.md.
 #define QUELL_UNREST_KEPT 0.9f
 #define QUELL_UNREST_MOST 16.0f
-#define QUELL_UNREST_STILL 1.2f
-#define QUELL_UNREST_RESTLESS 2.0f
+#define QUELL_UNREST_STILL 1.4f
+#define QUELL_UNREST_RESTLESS 2.4f
 
 // Least spread of the differences, luminance squared: where all are equal there is no noise to compare with.
 #define QUELL_CHANGE_LEAST_SPREAD 1e-12f
+
+// Least spread of warmth as a share of the spread of luminance: the warmth of grey light is rounding.
+#define QUELL_CHANGE_LEAST_WARMTH 1e-4f
 
 #endif

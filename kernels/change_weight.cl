@@ -5,6 +5,8 @@
 //          is taken for the squared bias b^2 of the history, in the same units. The mean squared error of a blend,
 //          (1 - w)^2 b^2 + w^2 c, is least at w = b^2 / (b^2 + c); c, the noise that one frame has left after the
 //          filter, is the setting changeGain.
+//          Luminance and warmth are tested alike, and the more significant counts: a cold light that goes out while a
+//          warm one goes on may leave a place as bright as it was.
 //          Light that changes goes on changing, and not in one tile alone: the mean significance around a tile over the
 //          last frames, its unrest, tells how likely change is there. Where light has been still it takes much to
 //          believe in change, so noise shortens few histories; where it has not, little.
@@ -18,14 +20,14 @@
 
 // A weighted mean over the tiles around a tile: the weights of a tent, the pixels in each tile.
 typedef struct WindowSums {
-  float4 weighted;      // records: x pixels, y differences, z their squares
+  float8 weighted;      // records of change_sums
   float weightSquares;  // of all pixels
   float fullWeight;     // as if all pixels of all tiles had been compared
 } WindowSums;
 
 QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams params, int tileX, int tileY,
                                   int radius) {
-  WindowSums window = {(float4)(0.0f), 0.0f, 0.0f};
+  WindowSums window = {(float8)(0.0f), 0.0f, 0.0f};
   for (int dy = -radius; dy <= radius; ++dy) {
     const int row = tileY + dy;
     if (row < 0 || row >= params.tilesY) continue;
@@ -33,23 +35,27 @@ QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams param
       const int column = tileX + dx;
       if (column < 0 || column >= params.tilesX) continue;
       const float tent = (float)((radius + 1 - abs(dx)) * (radius + 1 - abs(dy)));
-      const float4 tile = vload4(row * params.tilesX + column, sums);
+      const float8 tile = vload8(row * params.tilesX + column, sums);
       window.weighted += tent * tile;
-      window.weightSquares += tent * tent * tile.x;
+      window.weightSquares += tent * tent * tile.s0;
       window.fullWeight += tent * (float)(QUELL_CHANGE_TILE * QUELL_CHANGE_TILE);
     }
   }
   return window;
 }
 
-// Of the mean difference over a window, squared, in variances.
+// Of the mean difference over a window, squared, in variances; the larger of luminance and warmth.
 QUELL_INLINE float significanceOf(WindowSums window) {
-  const float weight = window.weighted.x;
+  const float weight = window.weighted.s0;
   if (weight < QUELL_CHANGE_LEAST_SHARE * window.fullWeight) return 0.0f;
-  const float mean = window.weighted.y / weight;
-  const float spread = max(window.weighted.z / weight - mean * mean, QUELL_CHANGE_LEAST_SPREAD);
-  const float variance = spread * (window.weightSquares / (weight * weight));
-  return mean * mean / variance;
+  // As QUELL_CHANGE_SUM and QUELL_CHANGE_SQUARES have them: x luminance, y warmth.
+  const float2 mean = window.weighted.s13 / weight;
+  const float2 spread = window.weighted.s24 / weight - mean * mean;
+  const float luminanceSpread = max(spread.x, QUELL_CHANGE_LEAST_SPREAD);
+  const float leastWarmth = max(QUELL_CHANGE_LEAST_WARMTH * luminanceSpread, QUELL_CHANGE_LEAST_SPREAD);
+  const float warmthSpread = max(spread.y, leastWarmth);
+  const float2 bySpread = mean * mean / (float2)(luminanceSpread, warmthSpread);
+  return max(bySpread.x, bySpread.y) * (weight * weight / window.weightSquares);
 }
 
 // Unrest of the frame before, over a tent of 3x3 tiles: it spreads by a tile a frame, as light that moves does.

@@ -119,15 +119,16 @@ void comparePixelPrev(Comparison& comparison, const Planes& device, const ExactP
 // A difference: relative to the larger of what it is taken of.
 void compareInnovation(Comparison& comparison, const AccumulateNoisyOutputs<float>& device,
                        const AccumulateNoisyExact& exact) {
-  for (int signal = 0; signal < device.innovation.count; ++signal) {
+  for (int planeOfAll = 0; planeOfAll < device.innovation.count; ++planeOfAll) {
+    const int signal = planeOfAll / QUELL_INNOVATION_PLANES;
     forEachPixel(device.innovation.size(), [&](int x, int y) {
       if (exact.undecided.at(0, x, y)) return;
       double scale = 1.0;
       for (int plane = 3 * signal; plane < 3 * signal + 3; ++plane)
         scale = std::max({scale, exact.outputs.newestIrradiance.at(plane, x, y),
                           exact.outputs.irradiance.at(plane, x, y)});
-      comparison.include("innovation", signal, x, y, device.innovation.at(signal, x, y),
-                         exact.outputs.innovation.at(signal, x, y), scale);
+      comparison.include("innovation", planeOfAll, x, y, device.innovation.at(planeOfAll, x, y),
+                         exact.outputs.innovation.at(planeOfAll, x, y), scale);
     });
   }
 }

@@ -8,7 +8,8 @@ namespace quell::tests {
 
 ChangeSumsCase::ChangeSumsCase(const CaseOptions& options, int signals)
     : StageCase("change_sums", makeChangeSetup(options, signals)) {
-  inputs.innovation = randomPlanes(options.size, signals, options.seed + 10, -4.0, 8.0);
+  inputs.innovation =
+      randomPlanes(options.size, QUELL_INNOVATION_PLANES * signals, options.seed + 10, -4.0, 8.0);
   inputs.historyLength = randomHistoryLengths(options.size, signals, options.seed + 20);
   const int records = TileGrid(options.size).count() * signals;
   inputs.sumsPrev = randomPlanes({records * QUELL_CHANGE_RECORD, 1}, 1, options.seed + 30, -20.0, 80.0);

@@ -31,7 +31,13 @@ ChangeWeightCase::ChangeWeightCase(const CaseOptions& options, int signals, Chan
   for (float& unrest : inputs.unrestPrev.values) unrest = float(random.uniform(0.0, 3.0));
   for (int tile = 0; tile < tileCount(); ++tile) {
     const double spread = random.uniform(0.1, 4.0);
-    setTile(tile, randomCount(random), std::sqrt(spread) * std::pow(random.uniform(-1.0, 1.0), 5.0), spread);
+    const auto differences = [&](double share) {
+      const double mean = std::sqrt(spread) * std::pow(random.uniform(-1.0, 1.0), 5.0);
+      return Differences{share * mean, share * share * spread};
+    };
+    const Differences luminance = differences(1.0);
+    // From the warmth of grey light to colours.
+    setTile(tile, randomCount(random), luminance, differences(std::pow(10.0, random.uniform(-4.0, 0.5))));
   }
   useFrame(1);
 }
@@ -41,11 +47,15 @@ void ChangeWeightCase::useFrame(std::uint32_t frameIndex) {
   inputs.restarted = frameIndex == 0;
 }
 
-void ChangeWeightCase::setTile(int tile, double count, double mean, double spread) {
+void ChangeWeightCase::setTile(int tile, double count, Differences luminance, Differences warmth) {
   float* record = &inputs.sums.values[std::size_t(tile) * QUELL_CHANGE_RECORD];
   record[QUELL_CHANGE_COUNT] = float(count);
-  record[QUELL_CHANGE_SUM] = float(count * mean);
-  record[QUELL_CHANGE_SQUARES] = float(count * (mean * mean + spread));
+  const auto set = [&](int plane, Differences d) {
+    record[QUELL_CHANGE_SUM(plane)] = float(count * d.mean);
+    record[QUELL_CHANGE_SQUARES(plane)] = float(count * (d.mean * d.mean + d.spread));
+  };
+  set(QUELL_INNOVATION_LUMINANCE, luminance);
+  set(QUELL_INNOVATION_WARMTH, warmth);
 }
 
 void ChangeWeightCase::upload() {

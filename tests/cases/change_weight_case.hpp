@@ -21,8 +21,13 @@ class ChangeWeightCase : public StageCase {
 
   ChangeWeightInputs inputs;
 
-  /// The record of a tile: `count` differences with this mean and this spread (a variance).
-  void setTile(int tile, double count, double mean, double spread);
+  /// Mean and spread (a variance) of differences.
+  struct Differences {
+    double mean, spread;
+  };
+
+  /// The record of a tile: `count` differences.
+  void setTile(int tile, double count, Differences luminance, Differences warmth);
   int tileCount() const { return TileGrid(size()).count() * inputs.signals; }
 
   /// Frame 0 has no frame before.

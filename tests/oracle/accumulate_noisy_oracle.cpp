@@ -193,8 +193,12 @@ void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int
     outputs.irradiance.at(3 * signal + c, x, y) = blended[c];
     outputs.newestIrradiance.at(3 * signal + c, x, y) = present ? sample.value[c] : -1.0;
   }
-  if (present && history.weight > 0.0)
-    outputs.innovation.at(signal, x, y) = luminance(sample.value - history.irradiance);
+  if (present && history.weight > 0.0) {
+    const auto step = sample.value - history.irradiance;
+    const int planes = QUELL_INNOVATION_PLANES * signal;
+    outputs.innovation.at(planes + QUELL_INNOVATION_LUMINANCE, x, y) = luminance(step);
+    outputs.innovation.at(planes + QUELL_INNOVATION_WARMTH, x, y) = step[0] - step[2];
+  }
   outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present                ? sample.weight
                                                          : history.weight > 0.0 ? 1.0
                                                                                 : 0.0;
@@ -222,7 +226,8 @@ AccumulateNoisyExact emptyOutputs(Size size, int signals) {
   return {{ExactPlanes(size, 3 * signals), ExactPlanes(size, signals),
            ExactPlanes(size, QUELL_GUIDE_WEIGHT + signals), ExactPlanes(size, 2), ExactPlanes(size, signals),
            ExactPlanes(size, QUELL_MOMENT_PLANES * signals), ExactPlanes(size, 1), ExactPlanes(size, 1),
-           ExactPlanes(size, 1), ExactPlanes(size, 3 * signals), ExactPlanes(size, signals)},
+           ExactPlanes(size, 1), ExactPlanes(size, 3 * signals),
+           ExactPlanes(size, QUELL_INNOVATION_PLANES * signals)},
           BasicPlanes<char>(size, 1)};
 }
 

@@ -26,7 +26,8 @@ template <class Value>
 struct AccumulateNoisyOutputs {
   BasicPlanes<Value> irradiance, historyLength, guides, pixelPrev, reprojectionMask;
   BasicPlanes<Value> moments, viewDepth, roughness, objectIds;  ///< empty where there are none
-  BasicPlanes<Value> newestIrradiance, innovation;              ///< likewise; as irradiance, 1 plane a signal
+  BasicPlanes<Value> newestIrradiance;                          ///< likewise; as irradiance
+  BasicPlanes<Value> innovation;  ///< likewise; QUELL_INNOVATION_PLANES a signal
 };
 
 struct AccumulateNoisyExact {

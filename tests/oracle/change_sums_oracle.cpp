@@ -23,8 +23,16 @@ ChangeSumsExact changeSumsOracle(const ChangeSumsInputs& inputs) {
       if (inputs.historyLength.at(signal, x, y) < kLeastComparedLength) return;
       const int tile = y / QUELL_CHANGE_TILE * grid.columns + x / QUELL_CHANGE_TILE;
       const int record = (signal * grid.count() + tile) * QUELL_CHANGE_RECORD;
-      const double difference = inputs.innovation.at(signal, x, y);
-      const double terms[QUELL_CHANGE_RECORD] = {1.0, difference, difference * difference};
+      const double luminance =
+          inputs.innovation.at(QUELL_INNOVATION_PLANES * signal + QUELL_INNOVATION_LUMINANCE, x, y);
+      const double warmth =
+          inputs.innovation.at(QUELL_INNOVATION_PLANES * signal + QUELL_INNOVATION_WARMTH, x, y);
+      double terms[QUELL_CHANGE_RECORD] = {};
+      terms[QUELL_CHANGE_COUNT] = 1.0;
+      terms[QUELL_CHANGE_SUM(QUELL_INNOVATION_LUMINANCE)] = luminance;
+      terms[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_LUMINANCE)] = luminance * luminance;
+      terms[QUELL_CHANGE_SUM(QUELL_INNOVATION_WARMTH)] = warmth;
+      terms[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_WARMTH)] = warmth * warmth;
       for (int i = 0; i < QUELL_CHANGE_RECORD; ++i) {
         exact.sums.at(0, record + i, 0) += terms[i];
         exact.magnitudes.at(0, record + i, 0) += std::abs(terms[i]);

@@ -16,12 +16,12 @@ struct TileGrid {
 };
 
 struct ChangeSumsInputs {
-  Planes innovation;     ///< 1 plane a signal
+  Planes innovation;     ///< QUELL_INNOVATION_PLANES a signal
   Planes historyLength;  ///< 1 plane a signal
   Planes sumsPrev;       ///< records as the device stores them
   double sumsKept = 0.0;
 
-  int signals() const { return innovation.count; }
+  int signals() const { return historyLength.count; }
 };
 
 /// Records as the device stores them: signal by signal, row by row, QUELL_CHANGE_RECORD numbers a tile.

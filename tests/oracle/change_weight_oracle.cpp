@@ -15,21 +15,23 @@ class WindowOracle {
       : m_inputs(inputs), m_grid(inputs.size), m_signal(signal), m_column(column), m_row(row) {}
 
   double significance(int radius) const {
-    double pixels = 0.0, allPixels = 0.0, sum = 0.0, squares = 0.0, shareSquares = 0.0;
+    double pixels = 0.0, allPixels = 0.0, shareSquares = 0.0;
     forEachTile(radius, [&](const float* record, double tent) {
       pixels += tent * record[QUELL_CHANGE_COUNT];
       allPixels += tent * kPixelsOfTile;
-      sum += tent * record[QUELL_CHANGE_SUM];
-      squares += tent * record[QUELL_CHANGE_SQUARES];
     });
     if (pixels < double(QUELL_CHANGE_LEAST_SHARE) * allPixels) return 0.0;
     // Each pixel's share in the mean, squared.
     forEachTile(radius, [&](const float* record, double tent) {
       shareSquares += std::pow(tent / pixels, 2.0) * record[QUELL_CHANGE_COUNT];
     });
-    const double mean = sum / pixels;
-    const double spread = std::max<double>(squares / pixels - mean * mean, QUELL_CHANGE_LEAST_SPREAD);
-    return mean * mean / (spread * shareSquares);
+    const Moments luminance = moments(radius, QUELL_INNOVATION_LUMINANCE);
+    const Moments warmth = moments(radius, QUELL_INNOVATION_WARMTH);
+    const double spread = std::max<double>(luminance.spread, QUELL_CHANGE_LEAST_SPREAD);
+    const double warmthSpread = std::max(
+        {warmth.spread, double(QUELL_CHANGE_LEAST_SPREAD), double(QUELL_CHANGE_LEAST_WARMTH) * spread});
+    return std::max(luminance.mean * luminance.mean / spread, warmth.mean * warmth.mean / warmthSpread) /
+           shareSquares;
   }
 
   double unrestBefore() const {
@@ -46,6 +48,21 @@ class WindowOracle {
   }
 
  private:
+  struct Moments {
+    double mean, spread;
+  };
+
+  Moments moments(int radius, int plane) const {
+    double pixels = 0.0, sum = 0.0, squares = 0.0;
+    forEachTile(radius, [&](const float* record, double tent) {
+      pixels += tent * record[QUELL_CHANGE_COUNT];
+      sum += tent * record[QUELL_CHANGE_SUM(plane)];
+      squares += tent * record[QUELL_CHANGE_SQUARES(plane)];
+    });
+    const double mean = sum / pixels;
+    return {mean, squares / pixels - mean * mean};
+  }
+
   template <class Work>
   void forEachTile(int radius, const Work& work) const {
     for (int row = std::max(0, m_row - radius); row <= std::min(m_grid.rows - 1, m_row + radius); ++row) {

@@ -141,7 +141,7 @@ TEST_CASE("with motion vectors moving objects are denoised as well as at rest", 
   const Sequence atRest = renderFrames([&](int) { return render::makeScene(entry, kFrames - 1); });
   REQUIRE(std::count(moving.moved.begin(), moving.moved.end(), char(1)) > 500);
   REQUIRE(std::count(moving.slow.begin(), moving.slow.end(), char(1)) > 40);
-  for (const std::string method : {"bmfr", "svgf"}) {
+  for (const std::string method : {"bmfr", "svgf", "quell"}) {
     const auto check = [&](const std::vector<char>& pixels, double most) {
       const double rest = errorOver(pixels, atRest, method, cli::MotionUse::WherePresent);
       const double followed = errorOver(pixels, moving, method, cli::MotionUse::WherePresent);

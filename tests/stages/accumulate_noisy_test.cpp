@@ -291,7 +291,7 @@ TEST_CASE("accumulate_noisy without a sample has nothing new") {
   noisy.run();
   const auto outputs = noisy.outputs();
   CHECK(sameBits(outputs.newestIrradiance, Planes(options.size, 6, -1.0f)));
-  CHECK(sameBits(outputs.innovation, Planes(options.size, 2)));
+  CHECK(sameBits(outputs.innovation, Planes(options.size, 2 * QUELL_INNOVATION_PLANES)));
 }
 
 TEST_CASE("accumulate_noisy takes materials that fade to black") {

@@ -37,7 +37,12 @@ TEST_CASE("change_sums of a constant difference are its multiples") {
   CaseOptions options;
   options.size = {20, 11};  // the last tiles are 4 pixels wide and 3 high
   ChangeSumsCase sums(options);
-  fill(sums.inputs.innovation, -0.5f);
+  for (int y = 0; y < options.size.height; ++y) {
+    for (int x = 0; x < options.size.width; ++x) {
+      sums.inputs.innovation.at(QUELL_INNOVATION_LUMINANCE, x, y) = -0.5f;
+      sums.inputs.innovation.at(QUELL_INNOVATION_WARMTH, x, y) = 2.0f;
+    }
+  }
   fill(sums.inputs.historyLength, 2.0f);
   fill(sums.inputs.sumsPrev, 0.0f);
   const Planes result = runSums(sums);
@@ -46,8 +51,10 @@ TEST_CASE("change_sums of a constant difference are its multiples") {
   for (int tile = 0; tile < int(std::size(pixels)); ++tile) {
     const float* record = &result.values[std::size_t(tile) * QUELL_CHANGE_RECORD];
     CHECK(record[QUELL_CHANGE_COUNT] == pixels[tile]);
-    CHECK(record[QUELL_CHANGE_SUM] == -0.5f * pixels[tile]);
-    CHECK(record[QUELL_CHANGE_SQUARES] == 0.25f * pixels[tile]);
+    CHECK(record[QUELL_CHANGE_SUM(QUELL_INNOVATION_LUMINANCE)] == -0.5f * pixels[tile]);
+    CHECK(record[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_LUMINANCE)] == 0.25f * pixels[tile]);
+    CHECK(record[QUELL_CHANGE_SUM(QUELL_INNOVATION_WARMTH)] == 2.0f * pixels[tile]);
+    CHECK(record[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_WARMTH)] == 4.0f * pixels[tile]);
   }
 }
 
@@ -55,8 +62,12 @@ TEST_CASE("change_sums leave out pixels without history, whatever those hold") {
   CaseOptions options;
   ChangeSumsCase sums(options, 2);
   const Planes expected = runSums(sums);
-  for (std::size_t i = 0; i < sums.inputs.innovation.values.size(); ++i)
-    if (sums.inputs.historyLength.values[i] <= 1.0f) sums.inputs.innovation.values[i] = 65504.0f;
+  for (int plane = 0; plane < sums.inputs.innovation.count; ++plane) {
+    forEachPixel(options.size, [&](int x, int y) {
+      const float length = sums.inputs.historyLength.at(plane / QUELL_INNOVATION_PLANES, x, y);
+      if (length <= 1.0f) sums.inputs.innovation.at(plane, x, y) = 65504.0f;
+    });
+  }
   CHECK(sameBits(expected, runSums(sums)));
 }
 

@@ -24,7 +24,8 @@ CaseMaker maker(int signals) {
 // Everywhere the same; without a past.
 void setTiles(ChangeWeightCase& change, double count, double mean, double spread) {
   std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), 0.0f);
-  for (int tile = 0; tile < change.tileCount(); ++tile) change.setTile(tile, count, mean, spread);
+  for (int tile = 0; tile < change.tileCount(); ++tile)
+    change.setTile(tile, count, {mean, spread}, {0.0, 0.0});
 }
 
 Planes runWeights(ChangeWeightCase& change) {
@@ -34,10 +35,16 @@ Planes runWeights(ChangeWeightCase& change) {
 }
 
 // Differences of differently many samples of a skewed distribution with mean 0: what a path tracer's noise is like.
+// Luminance and warmth share half of their deviation: samples are bright or dark, and coloured.
 Planes skewedNoise(Size size, unsigned seed) {
   Random random(seed);
-  Planes noise(size, 1);
-  for (float& value : noise.values) value = float(-std::log(1.0 - 0.999999 * random.uniform()) - 1.0);
+  const auto skewed = [&] { return -std::log(1.0 - 0.999999 * random.uniform()) - 1.0; };
+  Planes noise(size, QUELL_INNOVATION_PLANES);
+  forEachPixel(size, [&](int x, int y) {
+    const double luminance = skewed();
+    noise.at(QUELL_INNOVATION_LUMINANCE, x, y) = float(luminance);
+    noise.at(QUELL_INNOVATION_WARMTH, x, y) = float(0.1 * (luminance + skewed()));
+  });
   return noise;
 }
 
@@ -96,6 +103,20 @@ TEST_CASE("change_weight is nearly the largest weight where light differs by far
   }
 }
 
+TEST_CASE("change_weight sees light that changes its colour alone, and no colour in grey light") {
+  CaseOptions options;
+  options.size = {61, 40};
+  ChangeWeightCase change(options);
+  setTiles(change, kFullTile, 0.0, 1.0);
+  for (int tile = 0; tile < change.tileCount(); ++tile)
+    change.setTile(tile, kFullTile, {0.0, 1.0}, {0.5, 0.01});
+  for (const float weight : runWeights(change).values) CHECK(weight > 0.9 * kChangeMostWeight);
+  // Rounding errors of one sign, in light a million times as bright.
+  for (int tile = 0; tile < change.tileCount(); ++tile)
+    change.setTile(tile, kFullTile, {0.0, 1.0}, {1e-6, 1e-14});
+  for (const float weight : runWeights(change).values) CHECK(weight == 0.0f);
+}
+
 TEST_CASE("change_weight is the same for light of any brightness") {
   CaseOptions options;
   options.size = {121, 70};
@@ -105,9 +126,11 @@ TEST_CASE("change_weight is the same for light of any brightness") {
   const Planes sums = change.inputs.sums;
   for (const float scale : {1.0f / 1024.0f, 1024.0f}) {
     for (std::size_t i = 0; i < sums.values.size(); i += QUELL_CHANGE_RECORD) {
-      change.inputs.sums.values[i + QUELL_CHANGE_SUM] = scale * sums.values[i + QUELL_CHANGE_SUM];
-      change.inputs.sums.values[i + QUELL_CHANGE_SQUARES] =
-          scale * scale * sums.values[i + QUELL_CHANGE_SQUARES];
+      for (std::size_t plane = 0; plane < QUELL_INNOVATION_PLANES; ++plane) {
+        const std::size_t sum = i + QUELL_CHANGE_SUM(plane), squares = i + QUELL_CHANGE_SQUARES(plane);
+        change.inputs.sums.values[sum] = scale * sums.values[sum];
+        change.inputs.sums.values[squares] = scale * scale * sums.values[squares];
+      }
     }
     CHECK(sameBits(expected, runWeights(change)));
   }
@@ -214,8 +237,11 @@ TEST_CASE("change_weight is a weight for the most extreme sums") {
   const double counts[] = {0.0, 1.0, kFullTile, 100.0 * kFullTile};
   for (int tile = 0; tile < change.tileCount(); ++tile) {
     const double mean = means[random.integer(0, int(std::size(means)) - 1)];
-    change.setTile(tile, counts[random.integer(0, int(std::size(counts)) - 1)], mean,
-                   random.uniform() < 0.5 ? 0.0 : mean * mean);
+    const auto differences = [&] {
+      return ChangeWeightCase::Differences{mean, random.uniform() < 0.5 ? 0.0 : mean * mean};
+    };
+    const ChangeWeightCase::Differences luminance = differences();
+    change.setTile(tile, counts[random.integer(0, int(std::size(counts)) - 1)], luminance, differences());
   }
   for (const float weight : runWeights(change).values)
     CHECK((weight >= 0.0f && weight <= float(kChangeMostWeight)));
