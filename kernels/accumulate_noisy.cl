@@ -9,7 +9,8 @@
 //          moments of luminance (2 planes); guides (see common/guides.h); pixel index in the frame before (2 planes);
 //          F_beta (3 planes) where light is divided by it;
 //          with INNOVATION the newest sample (3 planes, -1 where it is missing) and how far it is from the history
-//          in luminance and in warmth, which is red minus blue (2 planes, 0 where one of them is missing); with SKIP `surfaces` (see common/surfaces.h);
+//          (2 planes, see common/innovation.h; 0 where one of them is missing); with SKIP `surfaces` (see
+//          common/surfaces.h);
 //          with FILTER_GUIDES view depth (1 plane) and, where the caller has it, roughness (1 plane); where the caller
 //          has them, object ids (1 plane).
 // Weight:  of the new sample: max(1 / (n + 1), leastWeight), n = bilinear history length, rounded and limited: a
@@ -96,7 +97,7 @@ QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL
   const intL comparable = sample.present && hasHistory;
   const float3L step = subtract3(sample.irradiance, history.irradiance);
   storeLanes(comparable ? luminance(step) : ZERO_LANES, innovation + QUELL_INNOVATION_LUMINANCE * stride);
-  storeLanes(comparable ? step.x - step.z : ZERO_LANES, innovation + QUELL_INNOVATION_WARMTH * stride);
+  storeLanes(comparable ? step.x - step.z : ZERO_LANES, innovation + QUELL_INNOVATION_CHROMINANCE * stride);
 #endif
 #if MOMENTS
   const floatL newest = luminance(sample.irradiance);

@@ -14,11 +14,11 @@ typedef struct ChangeParams {
   QuellInt restarted;           // 1: there is no frame before, 0: there is
   QuellFloat sumsKept;          // share of the sums of the frame before that is kept, [0, 1)
   QuellFloat thresholdSquared;  // deviation squared, in variances, up to which a difference counts as noise
-  QuellFloat restlessThresholdSquared;  // the same where light has changed lately
-  QuellFloat gain;                      // excess over it at which the weight is half of mostWeight, > 0
-  QuellFloat mostWeight;                // largest weight of the newest sample, (0, 1]
-  QuellFloat leastWeight;               // as in accumulate_noisy
-  QuellFloat momentsLeastWeight;        // as in accumulate_noisy
+  QuellFloat recentChangeThresholdSquared;  // the same where light has changed lately
+  QuellFloat gain;                          // excess over it at which the weight is half of mostWeight, > 0
+  QuellFloat mostWeight;                    // largest weight of the newest sample, (0, 1]
+  QuellFloat leastWeight;                   // as in accumulate_noisy
+  QuellFloat momentsLeastWeight;            // as in accumulate_noisy
 } ChangeParams;
 
 QUELL_NAMESPACE_END
@@ -26,8 +26,8 @@ QUELL_NAMESPACE_END
 // Edge of a tile, pixels.
 #define QUELL_CHANGE_TILE 8
 
-// A tile's record, per signal: pixels that could be compared; for luminance and for warmth the sum of their differences
-// and of the squares of these; and what fills up a vector.
+// A tile's record, per signal: pixels that could be compared; for luminance and for chrominance the sum of their
+// differences and of the squares of these; and what fills up a vector.
 #define QUELL_CHANGE_COUNT 0
 #define QUELL_CHANGE_SUM(plane) (1 + 2 * (plane))
 #define QUELL_CHANGE_SQUARES(plane) (2 + 2 * (plane))
@@ -40,18 +40,18 @@ QUELL_NAMESPACE_END
 // A window with less than this share of its pixels compared says nothing about change.
 #define QUELL_CHANGE_LEAST_SHARE 0.0625f
 
-// Unrest: the share that is kept of the frame before, which makes it a mean over some ten frames; the largest
+// Recent change: the share that is kept of the frame before, which makes it a mean over some ten frames; the largest
 // significance that enters, so that one jump is forgotten as soon; up to which tiles are still (noise alone: 1.1)
-// and from which on restless. Source: sweep, docs/quell-sweep.md.
-#define QUELL_UNREST_KEPT 0.9f
-#define QUELL_UNREST_MOST 16.0f
-#define QUELL_UNREST_STILL 1.4f
-#define QUELL_UNREST_RESTLESS 2.4f
+// and from which on changing. Source: sweep, docs/quell-sweep.md.
+#define QUELL_RECENT_CHANGE_KEPT 0.9f
+#define QUELL_RECENT_CHANGE_MOST 16.0f
+#define QUELL_RECENT_CHANGE_NONE 1.4f
+#define QUELL_RECENT_CHANGE_SURE 2.4f
 
 // Least spread of the differences, luminance squared: where all are equal there is no noise to compare with.
 #define QUELL_CHANGE_LEAST_SPREAD 1e-12f
 
-// Least spread of warmth as a share of the spread of luminance: the warmth of grey light is rounding.
-#define QUELL_CHANGE_LEAST_WARMTH 1e-4f
+// Least spread of chrominance as a share of the spread of luminance: the chrominance of grey light is rounding.
+#define QUELL_CHANGE_LEAST_CHROMINANCE 1e-4f
 
 #endif

@@ -63,10 +63,10 @@ __kernel void change_sums(__global const float* innovation, __global const uchar
                     historyLength + s * planes.stride + index, planes.stride, inside);
     }
     const int record = s * tiles + tileY * params.tilesX + tileX;
-    const float8 newest =
-        (float8)(total(tile.count), total(tile.sum[QUELL_INNOVATION_LUMINANCE]),
-                 total(tile.squares[QUELL_INNOVATION_LUMINANCE]), total(tile.sum[QUELL_INNOVATION_WARMTH]),
-                 total(tile.squares[QUELL_INNOVATION_WARMTH]), 0.0f, 0.0f, 0.0f);
+    const float8 newest = (float8)(total(tile.count), total(tile.sum[QUELL_INNOVATION_LUMINANCE]),
+                                   total(tile.squares[QUELL_INNOVATION_LUMINANCE]),
+                                   total(tile.sum[QUELL_INNOVATION_CHROMINANCE]),
+                                   total(tile.squares[QUELL_INNOVATION_CHROMINANCE]), 0.0f, 0.0f, 0.0f);
     vstore8(newest + params.sumsKept * vload8(record, sumsPrev), record, sums);
   }
 }

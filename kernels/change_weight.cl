@@ -5,14 +5,15 @@
 //          is taken for the squared bias b^2 of the history, in the same units. The mean squared error of a blend,
 //          (1 - w)^2 b^2 + w^2 c, is least at w = b^2 / (b^2 + c); c, the noise that one frame has left after the
 //          filter, is the setting changeGain.
-//          Luminance and warmth are tested alike, and the more significant counts: a cold light that goes out while a
-//          warm one goes on may leave a place as bright as it was.
+//          Luminance and chrominance are tested alike, and the more significant counts: a cold light that goes out while
+//          a warm one goes on may leave a place as bright as it was.
 //          Light that changes goes on changing, and not in one tile alone: the mean significance around a tile over the
-//          last frames, its unrest, tells how likely change is there. Where light has been still it takes much to
+//          last frames, its recent change, tells how likely change is there. Where light has been still it takes much to
 //          believe in change, so noise shortens few histories; where it has not, little.
-// In:      sums of change_sums, unrest of the frame before (1 float per tile and signal).
-// Out:     unrest; weight (1 float per tile and signal), [0, mostWeight]. The more significant of two windows counts.
-// Border:  tiles outside the image are left out; for unrest they equal the nearest tile.
+// In:      sums of change_sums, recent change of the frame before (1 float per tile and signal).
+// Out:     recent change; weight (1 float per tile and signal), [0, mostWeight]. The more significant of two windows
+//          counts.
+// Border:  tiles outside the image are left out; for recent change they count as the nearest tile.
 // Grid:    one work-item a tile.
 // Scale:   differences of any brightness give the same weight.
 #include "change_params.h"
@@ -44,45 +45,48 @@ QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams param
   return window;
 }
 
-// Of the mean difference over a window, squared, in variances; the larger of luminance and warmth.
+// Of the mean difference over a window, squared, in variances; the larger of luminance and chrominance.
 QUELL_INLINE float significanceOf(WindowSums window) {
   const float weight = window.weighted.s0;
   if (weight < QUELL_CHANGE_LEAST_SHARE * window.fullWeight) return 0.0f;
-  // As QUELL_CHANGE_SUM and QUELL_CHANGE_SQUARES have them: x luminance, y warmth.
+  // As QUELL_CHANGE_SUM and QUELL_CHANGE_SQUARES have them: x luminance, y chrominance.
   const float2 mean = window.weighted.s13 / weight;
   const float2 spread = window.weighted.s24 / weight - mean * mean;
   const float luminanceSpread = max(spread.x, QUELL_CHANGE_LEAST_SPREAD);
-  const float leastWarmth = max(QUELL_CHANGE_LEAST_WARMTH * luminanceSpread, QUELL_CHANGE_LEAST_SPREAD);
-  const float warmthSpread = max(spread.y, leastWarmth);
-  const float2 bySpread = mean * mean / (float2)(luminanceSpread, warmthSpread);
+  const float leastChrominance =
+      max(QUELL_CHANGE_LEAST_CHROMINANCE * luminanceSpread, QUELL_CHANGE_LEAST_SPREAD);
+  const float chrominanceSpread = max(spread.y, leastChrominance);
+  const float2 bySpread = mean * mean / (float2)(luminanceSpread, chrominanceSpread);
   return max(bySpread.x, bySpread.y) * (weight * weight / window.weightSquares);
 }
 
-// Unrest of the frame before, over a tent of 3x3 tiles: it spreads by a tile a frame, as light that moves does.
-QUELL_INLINE float unrestAround(__global const float* unrest, ChangeParams params, int tileX, int tileY) {
+// Recent change of the frame before, over a tent of 3x3 tiles: it spreads by a tile a frame, as light that moves does.
+QUELL_INLINE float recentChangeAround(__global const float* recentChange, ChangeParams params, int tileX,
+                                      int tileY) {
   float sum = 0.0f;
   for (int dy = -1; dy <= 1; ++dy) {
     const int row = clamp(tileY + dy, 0, params.tilesY - 1);
     for (int dx = -1; dx <= 1; ++dx) {
       const int column = clamp(tileX + dx, 0, params.tilesX - 1);
-      sum += (float)((2 - abs(dx)) * (2 - abs(dy))) * unrest[row * params.tilesX + column];
+      sum += (float)((2 - abs(dx)) * (2 - abs(dy))) * recentChange[row * params.tilesX + column];
     }
   }
   return sum * 0.0625f;  // a tent of 3x3 sums to 16
 }
 
-QUELL_INLINE float weightOf(float significance, float unrest, ChangeParams params) {
-  const float restless = clamp(
-      (unrest - QUELL_UNREST_STILL) * (1.0f / (QUELL_UNREST_RESTLESS - QUELL_UNREST_STILL)), 0.0f, 1.0f);
+QUELL_INLINE float weightOf(float significance, float recentChange, ChangeParams params) {
+  const float changing = clamp((recentChange - QUELL_RECENT_CHANGE_NONE) *
+                                   (1.0f / (QUELL_RECENT_CHANGE_SURE - QUELL_RECENT_CHANGE_NONE)),
+                               0.0f, 1.0f);
   const float threshold =
-      params.thresholdSquared + restless * (params.restlessThresholdSquared - params.thresholdSquared);
+      params.thresholdSquared + changing * (params.recentChangeThresholdSquared - params.thresholdSquared);
   const float excess = max(significance - threshold, 0.0f);
   // A difference of the largest radiance over a spread of nothing is still finite: 65504^2 / 1e-12 times the pixels.
   return params.mostWeight * (excess / (excess + params.gain));
 }
 
-__kernel void change_weight(__global const float* sums, __global const float* unrestPrev,
-                            __global float* unrest, __global float* weights, ChangeParams params) {
+__kernel void change_weight(__global const float* sums, __global const float* recentChangePrev,
+                            __global float* recentChange, __global float* weights, ChangeParams params) {
   const int tileX = (int)get_global_id(0);
   const int tileY = (int)get_global_id(1);
   if (tileX >= params.tilesX || tileY >= params.tilesY) return;
@@ -92,12 +96,12 @@ __kernel void change_weight(__global const float* sums, __global const float* un
     const float significance =
         max(significanceOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_SMALL_WINDOW)),
             significanceOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_LARGE_WINDOW)));
-    const float newest = min(significance, QUELL_UNREST_MOST);
+    const float newest = min(significance, QUELL_RECENT_CHANGE_MOST);
     const float before =
-        params.restarted ? newest : unrestAround(unrestPrev + s * tiles, params, tileX, tileY);
-    const float now = newest + QUELL_UNREST_KEPT * (before - newest);
+        params.restarted ? newest : recentChangeAround(recentChangePrev + s * tiles, params, tileX, tileY);
+    const float now = newest + QUELL_RECENT_CHANGE_KEPT * (before - newest);
     const int tile = s * tiles + tileY * params.tilesX + tileX;
-    unrest[tile] = now;
+    recentChange[tile] = now;
     weights[tile] = weightOf(significance, now, params);
   }
 }

@@ -92,7 +92,7 @@ SettingList changeSettings() {
            "difference between newest samples and history, over tiles, up to which it counts as noise",
            kSweep,
            {}},
-          {"restlessThreshold",
+          {"recentChangeThreshold",
            Kind::Real,
            1.0,
            0.0,
@@ -169,7 +169,7 @@ ChangeDetection changeDetection(const Settings& s) {
   detection.momentsLeastWeight = s.get("momentsLeastWeight");
   detection.mostWeight = s.get("mostWeight");
   detection.threshold = s.get("changeThreshold");
-  detection.restlessThreshold = std::min(s.get("restlessThreshold"), detection.threshold);
+  detection.recentChangeThreshold = std::min(s.get("recentChangeThreshold"), detection.threshold);
   detection.gain = s.get("changeGain");
   detection.sumsKept = s.get("changeMemory");
   return detection;
@@ -200,7 +200,7 @@ std::vector<BufferSpec> buffers(const Configuration& configuration) {
       transient("newestIrradiance", f32, 3 * signals),
       transient("innovation", f32, QUELL_INNOVATION_PLANES * signals),
       {"changeSums", f32, 0, tiles * QUELL_CHANGE_RECORD, followsChange(configuration.settings)},
-      {"changeUnrest", f32, 0, tiles, followsChange(configuration.settings)},
+      {"recentChange", f32, 0, tiles, followsChange(configuration.settings)},
       elements("changeWeights", tiles),
       transient("variance", f32, signals),
       {kSurfacesBuffer, Element::UInt8, 0, surfaceCount(configuration), false},
@@ -242,8 +242,8 @@ void addAccumulation(Schedule& schedule, const Configuration& configuration) {
   const ChangeDetection detection = changeDetection(s);
   addStage(schedule, std::make_unique<ChangeSums>(detection),
            {"innovation", "historyLength", "changeSums.prev"}, {"changeSums"});
-  addStage(schedule, std::make_unique<ChangeWeight>(detection), {"changeSums", "changeUnrest.prev"},
-           {"changeUnrest", "changeWeights"});
+  addStage(schedule, std::make_unique<ChangeWeight>(detection), {"changeSums", "recentChange.prev"},
+           {"recentChange", "changeWeights"});
   addStage(schedule, std::make_unique<FollowChange>(detection, s.isOn("skip")),
            joinedNames(joinedNames({"changeWeights", "newestIrradiance"}, accumulated), surfaceNames(s)),
            accumulated);

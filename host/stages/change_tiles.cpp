@@ -16,8 +16,8 @@ ChangeParams makeChangeParams(const ChangeDetection& detection, Size size) {
   params.tilesY = tilesAlong(size.height);
   params.sumsKept = static_cast<float>(detection.sumsKept);
   params.thresholdSquared = static_cast<float>(detection.threshold * detection.threshold);
-  params.restlessThresholdSquared =
-      static_cast<float>(detection.restlessThreshold * detection.restlessThreshold);
+  params.recentChangeThresholdSquared =
+      static_cast<float>(detection.recentChangeThreshold * detection.recentChangeThreshold);
   params.gain = static_cast<float>(detection.gain);
   params.leastWeight = static_cast<float>(detection.leastWeight);
   params.momentsLeastWeight = static_cast<float>(detection.momentsLeastWeight);

@@ -14,7 +14,7 @@ void ChangeWeight::enqueue(FrameRun& run) {
   ChangeParams params = makeChangeParams(m_detection, run.configuration.size());
   params.restarted = run.frameIndex == 0 ? 1 : 0;
   run.launch(m_kernel, tileRange(params), m_workGroup, run.buffer("changeSums"),
-             run.buffer("changeUnrest.prev"), run.buffer("changeUnrest"), run.buffer("changeWeights"),
+             run.buffer("recentChange.prev"), run.buffer("recentChange"), run.buffer("changeWeights"),
              params);
 }
 

@@ -249,7 +249,7 @@ typedef struct quell_options {
   quell_mapping mapping;
   int workGroup[2];           /* of per-pixel kernels, work-items in x and y; 0: chosen */
   int fitGroup;               /* work-items per block of the fit, a power of two up to 256; 0: chosen */
-  const char* cacheDirectory; /* compiled kernels; NULL: the user's cache directory, "": nowhere */
+  const char* cacheDirectory; /* of compiled kernels; NULL: the user's, "": none, see quell::Options */
 } quell_options;
 
 /* Denoises a sequence of frames on one queue. */

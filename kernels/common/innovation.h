@@ -4,7 +4,7 @@
 
 #define QUELL_INNOVATION_LUMINANCE 0
 // Red minus blue: lights of one brightness that take turns differ most from warm to cold.
-#define QUELL_INNOVATION_WARMTH 1
+#define QUELL_INNOVATION_CHROMINANCE 1
 #define QUELL_INNOVATION_PLANES 2
 
 #endif

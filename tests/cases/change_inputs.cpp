@@ -15,7 +15,7 @@ StageSetup makeChangeSetup(const CaseOptions& options, int signals, ChangeSettin
   setup.settings.set("momentsLeastWeight", kChangeMomentsLeastWeight);
   setup.settings.set("mostWeight", kChangeMostWeight);
   setup.settings.set("changeThreshold", kChangeThreshold);
-  setup.settings.set("restlessThreshold", kChangeRestlessThreshold);
+  setup.settings.set("recentChangeThreshold", kRecentChangeThreshold);
   setup.settings.set("changeGain", kChangeGain);
   setup.settings.set("changeMemory", kChangeMemory);
   return setup;

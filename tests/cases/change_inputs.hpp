@@ -11,7 +11,7 @@ constexpr double kChangeLeastWeight = 1.0 / kChangeHistoryFrames;
 constexpr double kChangeMomentsLeastWeight = 0.3;
 constexpr double kChangeMostWeight = 0.9;
 constexpr double kChangeThreshold = 1.5;
-constexpr double kChangeRestlessThreshold = 0.7;
+constexpr double kRecentChangeThreshold = 0.7;
 constexpr double kChangeGain = 3.0;
 constexpr double kChangeMemory = 0.4;
 

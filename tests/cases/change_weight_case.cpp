@@ -22,13 +22,13 @@ ChangeWeightCase::ChangeWeightCase(const CaseOptions& options, int signals, Chan
   inputs.size = options.size;
   inputs.signals = signals;
   inputs.threshold = used.get("changeThreshold");
-  inputs.restlessThreshold = used.get("restlessThreshold");
+  inputs.recentChangeThreshold = used.get("recentChangeThreshold");
   inputs.gain = used.get("changeGain");
   inputs.mostWeight = used.get("mostWeight");
   inputs.sums = Planes({tileCount() * QUELL_CHANGE_RECORD, 1}, 1);
-  inputs.unrestPrev = Planes({tileCount(), 1}, 1);
+  inputs.recentChangePrev = Planes({tileCount(), 1}, 1);
   Random random(options.seed + 10);
-  for (float& unrest : inputs.unrestPrev.values) unrest = float(random.uniform(0.0, 3.0));
+  for (float& recentChange : inputs.recentChangePrev.values) recentChange = float(random.uniform(0.0, 3.0));
   for (int tile = 0; tile < tileCount(); ++tile) {
     const double spread = random.uniform(0.1, 4.0);
     const auto differences = [&](double share) {
@@ -36,7 +36,7 @@ ChangeWeightCase::ChangeWeightCase(const CaseOptions& options, int signals, Chan
       return Differences{share * mean, share * share * spread};
     };
     const Differences luminance = differences(1.0);
-    // From the warmth of grey light to colours.
+    // From the chrominance of grey light to colours.
     setTile(tile, randomCount(random), luminance, differences(std::pow(10.0, random.uniform(-4.0, 0.5))));
   }
   useFrame(1);
@@ -47,7 +47,7 @@ void ChangeWeightCase::useFrame(std::uint32_t frameIndex) {
   inputs.restarted = frameIndex == 0;
 }
 
-void ChangeWeightCase::setTile(int tile, double count, Differences luminance, Differences warmth) {
+void ChangeWeightCase::setTile(int tile, double count, Differences luminance, Differences chrominance) {
   float* record = &inputs.sums.values[std::size_t(tile) * QUELL_CHANGE_RECORD];
   record[QUELL_CHANGE_COUNT] = float(count);
   const auto set = [&](int plane, Differences d) {
@@ -55,12 +55,12 @@ void ChangeWeightCase::setTile(int tile, double count, Differences luminance, Di
     record[QUELL_CHANGE_SQUARES(plane)] = float(count * (d.mean * d.mean + d.spread));
   };
   set(QUELL_INNOVATION_LUMINANCE, luminance);
-  set(QUELL_INNOVATION_WARMTH, warmth);
+  set(QUELL_INNOVATION_CHROMINANCE, chrominance);
 }
 
 void ChangeWeightCase::upload() {
   m_harness.upload("changeSums", inputs.sums);
-  m_harness.upload("changeUnrest.prev", inputs.unrestPrev);
+  m_harness.upload("recentChange.prev", inputs.recentChangePrev);
 }
 
 Comparison ChangeWeightCase::compare() {
@@ -70,7 +70,7 @@ Comparison ChangeWeightCase::compare() {
   if (device.values.size() != exact.weights.values.size())
     comparison.include("number of weights", 0, 0, 0, std::numeric_limits<double>::infinity(), 0.0);
   comparePixels(comparison, "weight", device, exact.weights);
-  comparePixels(comparison, "unrest", unrest(), exact.unrest);
+  comparePixels(comparison, "recentChange", recentChange(), exact.recentChange);
   return comparison;
 }
 

@@ -9,11 +9,8 @@ namespace quell::tests {
 /// Of weights up to 1: the spread is a difference of terms at most ten times as large (1e-6 measured).
 constexpr double kChangeWeightTolerance = 1e-5;
 
-/// Of unrest, which is a mean of values up to QUELL_UNREST_MOST.
-constexpr double kChangeUnrestTolerance = 1e-4;
-
 /// Tiles without and with few comparable pixels among full ones; differences from within the noise to far beyond;
-/// unrest from still to restless.
+/// recent change from none to sure.
 class ChangeWeightCase : public StageCase {
  public:
   explicit ChangeWeightCase(const CaseOptions& options, int signals = 1,
@@ -27,7 +24,7 @@ class ChangeWeightCase : public StageCase {
   };
 
   /// The record of a tile: `count` differences.
-  void setTile(int tile, double count, Differences luminance, Differences warmth);
+  void setTile(int tile, double count, Differences luminance, Differences chrominance);
   int tileCount() const { return TileGrid(size()).count() * inputs.signals; }
 
   /// Frame 0 has no frame before.
@@ -36,7 +33,7 @@ class ChangeWeightCase : public StageCase {
   Comparison compare() override;
   double tolerance() const override { return kChangeWeightTolerance; }
   Planes weights() const { return m_harness.download("changeWeights"); }
-  Planes unrest() const { return m_harness.download("changeUnrest"); }
+  Planes recentChange() const { return m_harness.download("recentChange"); }
 };
 
 }  // namespace quell::tests

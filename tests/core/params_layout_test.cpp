@@ -6,10 +6,14 @@
 
 #include "kernels/accumulate_filtered_params.h"
 #include "kernels/accumulate_noisy_params.h"
+#include "kernels/atrous_params.h"
+#include "kernels/background_params.h"
+#include "kernels/change_params.h"
 #include "kernels/fit_params.h"
 #include "kernels/gram_params.h"
 #include "kernels/remodulate_params.h"
 #include "kernels/temporal_antialiasing_params.h"
+#include "kernels/variance_params.h"
 #include "tests/support/small_denoiser.hpp"
 
 namespace quell::tests {
@@ -32,6 +36,10 @@ std::vector<ParamsStruct> paramsStructs() {
       QUELL_PARAMS("common/types.h", PlaneParams, stride),
       QUELL_PARAMS("common/reprojection_params.h", ReprojectionParams, historyValid),
       QUELL_PARAMS("accumulate_noisy_params.h", AccumulateNoisyParams, momentsLeastWeight),
+      QUELL_PARAMS("change_params.h", ChangeParams, momentsLeastWeight),
+      QUELL_PARAMS("variance_params.h", VarianceParams, temporalFrames),
+      QUELL_PARAMS("atrous_params.h", AtrousParams, iteration),
+      QUELL_PARAMS("background_params.h", BackgroundParams, finish),
       QUELL_PARAMS("fit_params.h", FitParams, noiseAmplitude),
       QUELL_PARAMS("gram_params.h", GramParams, noiseVariance),
       QUELL_PARAMS("accumulate_filtered_params.h", AccumulateFilteredParams, leastWeight),

@@ -197,7 +197,7 @@ void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int
     const auto step = sample.value - history.irradiance;
     const int planes = QUELL_INNOVATION_PLANES * signal;
     outputs.innovation.at(planes + QUELL_INNOVATION_LUMINANCE, x, y) = luminance(step);
-    outputs.innovation.at(planes + QUELL_INNOVATION_WARMTH, x, y) = step[0] - step[2];
+    outputs.innovation.at(planes + QUELL_INNOVATION_CHROMINANCE, x, y) = step[0] - step[2];
   }
   outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present                ? sample.weight
                                                          : history.weight > 0.0 ? 1.0

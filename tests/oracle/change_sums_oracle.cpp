@@ -25,14 +25,14 @@ ChangeSumsExact changeSumsOracle(const ChangeSumsInputs& inputs) {
       const int record = (signal * grid.count() + tile) * QUELL_CHANGE_RECORD;
       const double luminance =
           inputs.innovation.at(QUELL_INNOVATION_PLANES * signal + QUELL_INNOVATION_LUMINANCE, x, y);
-      const double warmth =
-          inputs.innovation.at(QUELL_INNOVATION_PLANES * signal + QUELL_INNOVATION_WARMTH, x, y);
+      const double chrominance =
+          inputs.innovation.at(QUELL_INNOVATION_PLANES * signal + QUELL_INNOVATION_CHROMINANCE, x, y);
       double terms[QUELL_CHANGE_RECORD] = {};
       terms[QUELL_CHANGE_COUNT] = 1.0;
       terms[QUELL_CHANGE_SUM(QUELL_INNOVATION_LUMINANCE)] = luminance;
       terms[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_LUMINANCE)] = luminance * luminance;
-      terms[QUELL_CHANGE_SUM(QUELL_INNOVATION_WARMTH)] = warmth;
-      terms[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_WARMTH)] = warmth * warmth;
+      terms[QUELL_CHANGE_SUM(QUELL_INNOVATION_CHROMINANCE)] = chrominance;
+      terms[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_CHROMINANCE)] = chrominance * chrominance;
       for (int i = 0; i < QUELL_CHANGE_RECORD; ++i) {
         exact.sums.at(0, record + i, 0) += terms[i];
         exact.magnitudes.at(0, record + i, 0) += std::abs(terms[i]);

@@ -26,22 +26,23 @@ class WindowOracle {
       shareSquares += std::pow(tent / pixels, 2.0) * record[QUELL_CHANGE_COUNT];
     });
     const Moments luminance = moments(radius, QUELL_INNOVATION_LUMINANCE);
-    const Moments warmth = moments(radius, QUELL_INNOVATION_WARMTH);
+    const Moments chrominance = moments(radius, QUELL_INNOVATION_CHROMINANCE);
     const double spread = std::max<double>(luminance.spread, QUELL_CHANGE_LEAST_SPREAD);
-    const double warmthSpread = std::max(
-        {warmth.spread, double(QUELL_CHANGE_LEAST_SPREAD), double(QUELL_CHANGE_LEAST_WARMTH) * spread});
-    return std::max(luminance.mean * luminance.mean / spread, warmth.mean * warmth.mean / warmthSpread) /
+    const double chrominanceSpread = std::max({chrominance.spread, double(QUELL_CHANGE_LEAST_SPREAD),
+                                               double(QUELL_CHANGE_LEAST_CHROMINANCE) * spread});
+    return std::max(luminance.mean * luminance.mean / spread,
+                    chrominance.mean * chrominance.mean / chrominanceSpread) /
            shareSquares;
   }
 
-  double unrestBefore() const {
+  double recentChangeBefore() const {
     double sum = 0.0;
     for (const int dy : {-1, 0, 0, 1}) {  // the tent's weights, counted
       for (const int dx : {-1, 0, 0, 1}) {
         const int row = std::clamp(m_row + dy, 0, m_grid.rows - 1);
         const int column = std::clamp(m_column + dx, 0, m_grid.columns - 1);
-        sum +=
-            double(m_inputs.unrestPrev.at(0, m_signal * m_grid.count() + row * m_grid.columns + column, 0));
+        sum += double(
+            m_inputs.recentChangePrev.at(0, m_signal * m_grid.count() + row * m_grid.columns + column, 0));
       }
     }
     return sum / 16.0;
@@ -81,11 +82,11 @@ class WindowOracle {
   int m_signal, m_column, m_row;
 };
 
-double weightOf(const ChangeWeightInputs& inputs, double significance, double unrest) {
-  const double still = double(QUELL_UNREST_STILL), restless = double(QUELL_UNREST_RESTLESS);
-  const double share = std::clamp((unrest - still) / (restless - still), 0.0, 1.0);
+double weightOf(const ChangeWeightInputs& inputs, double significance, double recentChange) {
+  const double still = double(QUELL_RECENT_CHANGE_NONE), changing = double(QUELL_RECENT_CHANGE_SURE);
+  const double share = std::clamp((recentChange - still) / (changing - still), 0.0, 1.0);
   const double threshold =
-      (1.0 - share) * std::pow(inputs.threshold, 2.0) + share * std::pow(inputs.restlessThreshold, 2.0);
+      (1.0 - share) * std::pow(inputs.threshold, 2.0) + share * std::pow(inputs.recentChangeThreshold, 2.0);
   const double bias = significance - threshold;
   return bias > 0.0 ? inputs.mostWeight / (1.0 + inputs.gain / bias) : 0.0;
 }
@@ -101,12 +102,12 @@ ChangeWeightExact changeWeightOracle(const ChangeWeightInputs& inputs) {
       const WindowOracle window(inputs, signal, column, row);
       const double significance = std::max(window.significance(QUELL_CHANGE_SMALL_WINDOW),
                                            window.significance(QUELL_CHANGE_LARGE_WINDOW));
-      const double newest = std::min(significance, double(QUELL_UNREST_MOST));
-      const double kept = inputs.restarted ? 0.0 : double(QUELL_UNREST_KEPT);
-      const double unrest = kept * window.unrestBefore() + (1.0 - kept) * newest;
+      const double newest = std::min(significance, double(QUELL_RECENT_CHANGE_MOST));
+      const double kept = inputs.restarted ? 0.0 : double(QUELL_RECENT_CHANGE_KEPT);
+      const double recentChange = kept * window.recentChangeBefore() + (1.0 - kept) * newest;
       const int tile = signal * grid.count() + row * grid.columns + column;
-      exact.unrest.at(0, tile, 0) = unrest;
-      exact.weights.at(0, tile, 0) = weightOf(inputs, significance, unrest);
+      exact.recentChange.at(0, tile, 0) = recentChange;
+      exact.weights.at(0, tile, 0) = weightOf(inputs, significance, recentChange);
     });
   }
   return exact;

@@ -7,13 +7,13 @@
 namespace quell::tests {
 
 struct ChangeWeightInputs {
-  Planes sums;        ///< records of change_sums
-  Planes unrestPrev;  ///< one value a tile
-  Size size;          ///< of the image
+  Planes sums;              ///< records of change_sums
+  Planes recentChangePrev;  ///< one value a tile
+  Size size;                ///< of the image
   int signals = 1;
   bool restarted = false;  ///< no frame before
   double threshold = 2.0;
-  double restlessThreshold = 1.0;
+  double recentChangeThreshold = 1.0;
   double gain = 4.0;
   double mostWeight = 1.0;
 };
@@ -21,7 +21,7 @@ struct ChangeWeightInputs {
 /// Signal by signal, row by row, as the device stores them.
 struct ChangeWeightExact {
   ExactPlanes weights;
-  ExactPlanes unrest;
+  ExactPlanes recentChange;
 };
 
 ChangeWeightExact changeWeightOracle(const ChangeWeightInputs& inputs);

@@ -40,7 +40,7 @@ TEST_CASE("change_sums of a constant difference are its multiples") {
   for (int y = 0; y < options.size.height; ++y) {
     for (int x = 0; x < options.size.width; ++x) {
       sums.inputs.innovation.at(QUELL_INNOVATION_LUMINANCE, x, y) = -0.5f;
-      sums.inputs.innovation.at(QUELL_INNOVATION_WARMTH, x, y) = 2.0f;
+      sums.inputs.innovation.at(QUELL_INNOVATION_CHROMINANCE, x, y) = 2.0f;
     }
   }
   fill(sums.inputs.historyLength, 2.0f);
@@ -53,8 +53,8 @@ TEST_CASE("change_sums of a constant difference are its multiples") {
     CHECK(record[QUELL_CHANGE_COUNT] == pixels[tile]);
     CHECK(record[QUELL_CHANGE_SUM(QUELL_INNOVATION_LUMINANCE)] == -0.5f * pixels[tile]);
     CHECK(record[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_LUMINANCE)] == 0.25f * pixels[tile]);
-    CHECK(record[QUELL_CHANGE_SUM(QUELL_INNOVATION_WARMTH)] == 2.0f * pixels[tile]);
-    CHECK(record[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_WARMTH)] == 4.0f * pixels[tile]);
+    CHECK(record[QUELL_CHANGE_SUM(QUELL_INNOVATION_CHROMINANCE)] == 2.0f * pixels[tile]);
+    CHECK(record[QUELL_CHANGE_SQUARES(QUELL_INNOVATION_CHROMINANCE)] == 4.0f * pixels[tile]);
   }
 }
 

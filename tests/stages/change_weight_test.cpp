@@ -23,7 +23,7 @@ CaseMaker maker(int signals) {
 
 // Everywhere the same; without a past.
 void setTiles(ChangeWeightCase& change, double count, double mean, double spread) {
-  std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), 0.0f);
+  std::fill(change.inputs.recentChangePrev.values.begin(), change.inputs.recentChangePrev.values.end(), 0.0f);
   for (int tile = 0; tile < change.tileCount(); ++tile)
     change.setTile(tile, count, {mean, spread}, {0.0, 0.0});
 }
@@ -35,7 +35,7 @@ Planes runWeights(ChangeWeightCase& change) {
 }
 
 // Differences of differently many samples of a skewed distribution with mean 0: what a path tracer's noise is like.
-// Luminance and warmth share half of their deviation: samples are bright or dark, and coloured.
+// Luminance and chrominance share half of their deviation: samples are bright or dark, and coloured.
 Planes skewedNoise(Size size, unsigned seed) {
   Random random(seed);
   const auto skewed = [&] { return -std::log(1.0 - 0.999999 * random.uniform()) - 1.0; };
@@ -43,7 +43,7 @@ Planes skewedNoise(Size size, unsigned seed) {
   forEachPixel(size, [&](int x, int y) {
     const double luminance = skewed();
     noise.at(QUELL_INNOVATION_LUMINANCE, x, y) = float(luminance);
-    noise.at(QUELL_INNOVATION_WARMTH, x, y) = float(0.1 * (luminance + skewed()));
+    noise.at(QUELL_INNOVATION_CHROMINANCE, x, y) = float(0.1 * (luminance + skewed()));
   });
   return noise;
 }
@@ -55,7 +55,7 @@ TEST_CASE("change_weight agrees with its oracle") { checkLayouts(maker(1), {pack
 TEST_CASE("change_weight of two signals agrees with its oracle") { checkSizes(maker(2)); }
 
 TEST_CASE("change_weight does not depend on the work-group") {
-  checkWorkGroups(maker(2), {"changeWeights", "changeUnrest"});
+  checkWorkGroups(maker(2), {"changeWeights", "recentChange"});
 }
 
 TEST_CASE("change_weight of two signals equals two runs of one") {
@@ -69,9 +69,9 @@ TEST_CASE("change_weight of two signals equals two runs of one") {
     auto& sums = one.inputs.sums.values;
     const auto half = std::ptrdiff_t(sums.size());
     std::copy_n(both.inputs.sums.values.begin() + signal * half, half, sums.begin());
-    auto& unrest = one.inputs.unrestPrev.values;
-    const auto tiles = std::ptrdiff_t(unrest.size());
-    std::copy_n(both.inputs.unrestPrev.values.begin() + signal * tiles, tiles, unrest.begin());
+    auto& recentChange = one.inputs.recentChangePrev.values;
+    const auto tiles = std::ptrdiff_t(recentChange.size());
+    std::copy_n(both.inputs.recentChangePrev.values.begin() + signal * tiles, tiles, recentChange.begin());
     const Planes weights = runWeights(one);
     found.insert(found.end(), weights.values.begin(), weights.values.end());
   }
@@ -157,11 +157,11 @@ TEST_CASE("change_weight believes in less change where there was change lately")
   setTiles(change, kFullTile, 1.6 * std::sqrt(spread / (kFullTile * tilesOfWindow)), spread);
   for (const float weight : runWeights(change).values) CHECK(weight < 0.5f);
   const Planes still = change.weights();
-  std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), 4.0f);
-  const Planes restless = runWeights(change);
+  std::fill(change.inputs.recentChangePrev.values.begin(), change.inputs.recentChangePrev.values.end(), 4.0f);
+  const Planes changing = runWeights(change);
   const int inner = 2 * TileGrid(options.size).columns + 3;
   CHECK(still.at(0, inner, 0) == 0.0f);
-  CHECK(restless.at(0, inner, 0) > 0.2f);
+  CHECK(changing.at(0, inner, 0) > 0.2f);
 }
 
 TEST_CASE("change_weight remembers change around a tile, and forgets it") {
@@ -173,24 +173,24 @@ TEST_CASE("change_weight remembers change around a tile, and forgets it") {
   const auto at = [&](const Planes& planes, int column, int row) {
     return planes.at(0, row * grid.columns + column, 0);
   };
-  change.inputs.unrestPrev.at(0, 4 * grid.columns + 6, 0) = QUELL_UNREST_MOST;
+  change.inputs.recentChangePrev.at(0, 4 * grid.columns + 6, 0) = QUELL_RECENT_CHANGE_MOST;
   runWeights(change);
-  Planes unrest = change.unrest();
-  CHECK(at(unrest, 6, 4) == Approx(QUELL_UNREST_KEPT * QUELL_UNREST_MOST / 4.0f));
-  CHECK(at(unrest, 7, 4) == Approx(QUELL_UNREST_KEPT * QUELL_UNREST_MOST / 8.0f));
-  CHECK(at(unrest, 7, 5) == Approx(QUELL_UNREST_KEPT * QUELL_UNREST_MOST / 16.0f));
-  CHECK(at(unrest, 8, 4) == 0.0f);
+  Planes recentChange = change.recentChange();
+  CHECK(at(recentChange, 6, 4) == Approx(QUELL_RECENT_CHANGE_KEPT * QUELL_RECENT_CHANGE_MOST / 4.0f));
+  CHECK(at(recentChange, 7, 4) == Approx(QUELL_RECENT_CHANGE_KEPT * QUELL_RECENT_CHANGE_MOST / 8.0f));
+  CHECK(at(recentChange, 7, 5) == Approx(QUELL_RECENT_CHANGE_KEPT * QUELL_RECENT_CHANGE_MOST / 16.0f));
+  CHECK(at(recentChange, 8, 4) == 0.0f);
   // The same everywhere, borders included, keeps its level but for what is forgotten.
-  std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), 2.0f);
+  std::fill(change.inputs.recentChangePrev.values.begin(), change.inputs.recentChangePrev.values.end(), 2.0f);
   runWeights(change);
-  unrest = change.unrest();
-  for (const float value : unrest.values) CHECK(value == Approx(QUELL_UNREST_KEPT * 2.0f));
-  // A restarted history has no unrest, whatever the buffer holds.
+  recentChange = change.recentChange();
+  for (const float value : recentChange.values) CHECK(value == Approx(QUELL_RECENT_CHANGE_KEPT * 2.0f));
+  // A restarted history has no recent change, whatever the buffer holds.
   change.useFrame(0);
-  std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), NAN);
+  std::fill(change.inputs.recentChangePrev.values.begin(), change.inputs.recentChangePrev.values.end(), NAN);
   runWeights(change);
-  unrest = change.unrest();
-  for (const float value : unrest.values) CHECK(value == 0.0f);
+  recentChange = change.recentChange();
+  for (const float value : recentChange.values) CHECK(value == 0.0f);
 }
 
 TEST_CASE("change_weight takes noise alone for change in few tiles") {
@@ -201,7 +201,7 @@ TEST_CASE("change_weight takes noise alone for change in few tiles") {
   noise.historyLength = Planes(options.size, 1, 8.0f);
   noise.sumsPrev = Planes(change.inputs.sums.size(), 1);
   noise.sumsKept = Settings("quell").get("changeMemory");
-  std::fill(change.inputs.unrestPrev.values.begin(), change.inputs.unrestPrev.values.end(), 0.0f);
+  std::fill(change.inputs.recentChangePrev.values.begin(), change.inputs.recentChangePrev.values.end(), 0.0f);
   Planes weights;
   for (unsigned frame = 0; frame < kNoiseFrames; ++frame) {
     noise.innovation = skewedNoise(options.size, 17 + frame);
@@ -210,22 +210,22 @@ TEST_CASE("change_weight takes noise alone for change in few tiles") {
                    [](double value) { return float(value); });
     weights = runWeights(change);
     noise.sumsPrev = change.inputs.sums;
-    change.inputs.unrestPrev = change.unrest();
+    change.inputs.recentChangePrev = change.recentChange();
   }
   double noticed = 0.0, sum = 0.0;
   for (const float weight : weights.values) {
     noticed += weight > 0.2f;
     sum += weight;
   }
-  double unrest = 0.0;
-  for (const float value : change.inputs.unrestPrev.values) unrest += value;
+  double recentChange = 0.0;
+  for (const float value : change.inputs.recentChangePrev.values) recentChange += value;
   const double tiles = double(weights.values.size());
-  INFO(noticed / tiles << " of the tiles above 0.2, mean weight " << sum / tiles << ", mean unrest "
-                       << unrest / tiles);
+  INFO(noticed / tiles << " of the tiles above 0.2, mean weight " << sum / tiles << ", mean recentChange "
+                       << recentChange / tiles);
   CHECK(noticed > 0.0);
   CHECK(noticed < kNoticedShare * tiles);
   CHECK(sum < kMeanNoiseWeight * tiles);
-  CHECK(unrest < double(QUELL_UNREST_STILL) * tiles);
+  CHECK(recentChange < double(QUELL_RECENT_CHANGE_NONE) * tiles);
 }
 
 TEST_CASE("change_weight is a weight for the most extreme sums") {

@@ -69,7 +69,7 @@ TEST_CASE("remodulate does not depend on the work-group") {
   checkWorkGroups(maker(kFullMaterial), {"encoded"});
 }
 
-TEST_CASE("remodulate encodes 0 and 1 as themselves, clamps, and never decreases") {
+TEST_CASE("remodulate encodes 0 and 1 as themselves, clamps, and rises along a ramp") {
   for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
     std::vector<float> ramp;
     for (int i = 0; i <= 4096; ++i) ramp.push_back(float(i) / 4096.0f);
