@@ -24,7 +24,8 @@ namespace {
 // Settings varied so often that they have an option of their own.
 constexpr const char* kShorthands[] = {"solver", "windows", "features"};
 constexpr char kSeparator = ',';
-// Making up a frame of 3840x2160 takes longer than to denoise it.
+// Making up a frame of 3840x2160 takes longer than to denoise it. Rounds keep the history, or all frames would be first
+// ones, which take longer.
 constexpr int kBuiltInSweepFrames = 3;
 
 struct BenchArguments {
@@ -76,12 +77,13 @@ BenchGroup planSweepGroup(const std::string& name, const BenchArguments& argumen
     input.directories = {sweepDirectory(name, input)};
     input.sizes.clear();
   }
-  return {planSweep(name, arguments.methods), openInputs(input)};
+  return {planSweep(name, arguments.methods), openInputs(input), !sizes.empty()};
 }
 
 std::vector<BenchGroup> planGroups(const BenchArguments& arguments) {
   std::vector<BenchGroup> groups;
-  groups.push_back({planRuns(arguments.methods, allVariations(arguments)), openInputs(arguments.input)});
+  groups.push_back(
+      {planRuns(arguments.methods, allVariations(arguments)), openInputs(arguments.input), false});
   for (const std::string& sweep : arguments.sweeps) groups.push_back(planSweepGroup(sweep, arguments));
   return groups;
 }

@@ -52,6 +52,9 @@ struct BenchInput {
 struct BenchGroup {
   std::vector<PlannedRun> runs;
   std::vector<BenchInput> inputs;
+  /// Only for the built-in sequence: timed rounds go on with the history that is there, from the last frame back to the
+  /// first and on again, so that a few frames show what a frame far into a sequence takes.
+  bool keepsHistory = false;
 };
 
 /// What to open. With neither directories nor sizes: the built-in sequence at 1280x720.
