@@ -50,19 +50,6 @@ std::vector<Variation> allVariations(const BenchArguments& arguments) {
   return all;
 }
 
-bool hasRoughness(const std::string& directory, int signals) {
-  const auto sequence = io::openSequence(directory, signals);
-  return !sequence->read(sequence->frames().front()).roughness.empty();
-}
-
-// The first directory that has what the sweep needs. Where none has, the first: what cannot run there is reported.
-std::string sweepDirectory(const std::string& name, const InputArguments& input) {
-  if (sweepNeedsRoughness(name))
-    for (const std::string& directory : input.directories)
-      if (hasRoughness(directory, input.signals)) return directory;
-  return input.directories.front();
-}
-
 // A sweep runs on one of the directories, or on sizes of its own.
 BenchGroup planSweepGroup(const std::string& name, const BenchArguments& arguments) {
   InputArguments input = arguments.input;
@@ -74,7 +61,10 @@ BenchGroup planSweepGroup(const std::string& name, const BenchArguments& argumen
     input.mostFrames = kBuiltInSweepFrames;
     if (const std::vector<double> shares = sweepSkyShares(name); !shares.empty()) input.skyShares = shares;
   } else if (!input.directories.empty()) {
-    input.directories = {sweepDirectory(name, input)};
+    if (sweepNeedsRoughness(name))
+      input.directories = {directoryWithRoughness(input.directories, input.signals)};
+    else
+      input.directories.resize(1);
     input.sizes.clear();
   }
   return {planSweep(name, arguments.methods), openInputs(input), !sizes.empty()};

@@ -66,6 +66,10 @@ struct InputArguments {
   int mostFrames = 0;                     ///< the first frames of every sequence; 0: all, or 16 built-in ones
 };
 
+/// The first of the directories (at least one) whose frames have roughness. Where none has, the first: what cannot run
+/// there is reported. Throws as openInputs().
+std::string directoryWithRoughness(const std::vector<std::string>& directories, int signals);
+
 /// Directories first, then sizes. Throws Error(FileError) or Error(InvalidArgument).
 std::vector<BenchInput> openInputs(const InputArguments& arguments);
 
