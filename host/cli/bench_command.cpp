@@ -24,7 +24,8 @@ namespace {
 // Settings varied so often that they have an option of their own.
 constexpr const char* kShorthands[] = {"solver", "windows", "features"};
 constexpr char kSeparator = ',';
-// Making up a frame of 3840x2160 takes longer than to denoise it.
+// Making up a frame of 3840x2160 takes longer than to denoise it. Rounds keep the history, or all frames would be first
+// ones, which take longer.
 constexpr int kBuiltInSweepFrames = 3;
 
 struct BenchArguments {
@@ -49,19 +50,6 @@ std::vector<Variation> allVariations(const BenchArguments& arguments) {
   return all;
 }
 
-bool hasRoughness(const std::string& directory, int signals) {
-  const auto sequence = io::openSequence(directory, signals);
-  return !sequence->read(sequence->frames().front()).roughness.empty();
-}
-
-// The first directory that has what the sweep needs. Where none has, the first: what cannot run there is reported.
-std::string sweepDirectory(const std::string& name, const InputArguments& input) {
-  if (sweepNeedsRoughness(name))
-    for (const std::string& directory : input.directories)
-      if (hasRoughness(directory, input.signals)) return directory;
-  return input.directories.front();
-}
-
 // A sweep runs on one of the directories, or on sizes of its own.
 BenchGroup planSweepGroup(const std::string& name, const BenchArguments& arguments) {
   InputArguments input = arguments.input;
@@ -73,15 +61,19 @@ BenchGroup planSweepGroup(const std::string& name, const BenchArguments& argumen
     input.mostFrames = kBuiltInSweepFrames;
     if (const std::vector<double> shares = sweepSkyShares(name); !shares.empty()) input.skyShares = shares;
   } else if (!input.directories.empty()) {
-    input.directories = {sweepDirectory(name, input)};
+    if (sweepNeedsRoughness(name))
+      input.directories = {directoryWithRoughness(input.directories, input.signals)};
+    else
+      input.directories.resize(1);
     input.sizes.clear();
   }
-  return {planSweep(name, arguments.methods), openInputs(input)};
+  return {planSweep(name, arguments.methods), openInputs(input), !sizes.empty()};
 }
 
 std::vector<BenchGroup> planGroups(const BenchArguments& arguments) {
   std::vector<BenchGroup> groups;
-  groups.push_back({planRuns(arguments.methods, allVariations(arguments)), openInputs(arguments.input)});
+  groups.push_back(
+      {planRuns(arguments.methods, allVariations(arguments)), openInputs(arguments.input), false});
   for (const std::string& sweep : arguments.sweeps) groups.push_back(planSweepGroup(sweep, arguments));
   return groups;
 }

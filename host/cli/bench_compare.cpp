@@ -31,8 +31,11 @@ struct Counts {
 };
 
 std::string keyOf(const json& run) {
-  return fmt::format("{} on {}, {}x{}", run.at("run").get<std::string>(), run.at("input").get<std::string>(),
-                     run.at("width").get<int>(), run.at("height").get<int>());
+  const std::string sweep = run.value("sweep", "");
+  return fmt::format("{} on {}, {}x{}, {} frames{}", run.at("run").get<std::string>(),
+                     run.at("input").get<std::string>(), run.at("width").get<int>(),
+                     run.at("height").get<int>(), run.at("frames").get<int>(),
+                     sweep.empty() ? "" : ", sweep " + sweep);
 }
 
 const json* findRun(const json& result, const std::string& key) {

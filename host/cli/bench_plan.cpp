@@ -125,6 +125,14 @@ std::vector<PlannedRun> planRuns(const std::vector<std::string>& methods,
   return all;
 }
 
+std::string directoryWithRoughness(const std::vector<std::string>& directories, int signals) {
+  for (const std::string& directory : directories) {
+    const auto sequence = io::openSequence(directory, signals);
+    if (!sequence->read(sequence->frames().front()).roughness.empty()) return directory;
+  }
+  return directories.front();
+}
+
 std::vector<BenchInput> openInputs(const InputArguments& arguments) {
   std::vector<BenchInput> inputs;
   for (const std::string& directory : arguments.directories)

@@ -52,6 +52,9 @@ struct BenchInput {
 struct BenchGroup {
   std::vector<PlannedRun> runs;
   std::vector<BenchInput> inputs;
+  /// Only for the built-in sequence: timed rounds go on with the history that is there, from the last frame back to the
+  /// first and on again, so that a few frames show what a frame far into a sequence takes.
+  bool keepsHistory = false;
 };
 
 /// What to open. With neither directories nor sizes: the built-in sequence at 1280x720.
@@ -62,6 +65,10 @@ struct InputArguments {
   int signals = 1;                        ///< 2: diffuse and glossy light side by side; directories only
   int mostFrames = 0;                     ///< the first frames of every sequence; 0: all, or 16 built-in ones
 };
+
+/// The first of the directories (at least one) whose frames have roughness. Where none has, the first: what cannot run
+/// there is reported. Throws as openInputs().
+std::string directoryWithRoughness(const std::vector<std::string>& directories, int signals);
 
 /// Directories first, then sizes. Throws Error(FileError) or Error(InvalidArgument).
 std::vector<BenchInput> openInputs(const InputArguments& arguments);

@@ -27,7 +27,7 @@ constexpr char kNoStage[] = ",,,,";
 
 double operationsOf(const BenchRun& run, const StageTimings& stage, const BenchResult& result) {
   return result.operations.perPixel(run.plan, stage.label) * double(run.report.size.width) *
-         double(run.report.size.height) * (1.0 - stage.skippedShare.value_or(0.0));
+         double(run.report.size.height) * workShare(stage, *run.report.timings);
 }
 
 double boundMs(const BenchRun& run, const StageTimings& stage, const BenchResult& result) {

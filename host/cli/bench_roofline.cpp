@@ -40,6 +40,14 @@ double OperationCounts::perPixel(const PlannedRun& run, const std::string& label
   return 0.0;
 }
 
+double workShare(const StageTimings& stage, const Timings& timings) {
+  if (stage.stage != "background") return 1.0 - stage.skippedShare.value_or(0.0);
+  double skipped = 0.0;
+  for (const StageTimings& other : timings.stages)
+    skipped = std::max(skipped, other.skippedShare.value_or(0.0));
+  return skipped;
+}
+
 double rooflineMs(double bytes, double operations, double gigabytesPerSecond, double gigaflops) {
   return std::max(timeMs(bytes, gigabytesPerSecond), timeMs(operations, gigaflops));
 }

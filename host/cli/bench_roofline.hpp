@@ -2,13 +2,14 @@
 #pragma once
 
 #include <map>
+#include <quell/timings.hpp>
 #include <string>
 
 #include "host/cli/bench_plan.hpp"
 
 namespace quell::cli {
 
-/// Floating-point operations per pixel of stages, by the run's name and the stage's label; counted by
+/// Floating-point operations per pixel that a stage works on, by the run's name and the stage's label; counted by
 /// bench/count_operations.
 class OperationCounts {
  public:
@@ -23,6 +24,10 @@ class OperationCounts {
  private:
   std::map<std::string, std::map<std::string, double>> m_counts;
 };
+
+/// The pixels that a stage works on over all pixels of its frames, 0 to 1: all but those skipped, or, for the stage
+/// `background`, those that the others skip. Scales what OperationCounts gives.
+double workShare(const StageTimings& stage, const Timings& timings);
 
 /// The least time that memory and arithmetic allow, milliseconds: the larger of `bytes` at `gigabytesPerSecond` and
 /// `operations` at `gigaflops`; a rate of 0 bounds nothing.

@@ -15,6 +15,10 @@
 namespace quell::cli {
 namespace {
 
+// Frames with the camera at rest after the warm-up where rounds keep the history: with those before, more than any
+// method asks for before it takes the variance over time (settings temporalVarianceFrames).
+constexpr int kSettlingFrames = 4;
+
 // A run that was accepted, with its denoiser.
 struct ActiveRun {
   BenchRun run;
@@ -83,15 +87,20 @@ void keepInputPictures(std::vector<BenchPicture>& pictures, const BenchInput& in
       {name, frame, "reference", metrics::encodeForDisplay(meanOf(*input.sequence->reference(frame)))});
 }
 
+// Calls work(run, frame) for every run, from the run at `first` on.
+template <class Work>
+void runFrame(std::vector<ActiveRun>& active, const io::FrameData& frame, std::size_t first,
+              const Work& work) {
+  for (std::size_t turn = 0; turn < active.size(); ++turn)
+    work(active[(first + turn) % active.size()], frame);
+}
+
 // Calls work(run, frame) for every frame and run; a round starts without history.
 template <class Work>
 void runRound(std::vector<ActiveRun>& active, const BenchInput& input, std::size_t round, const Work& work) {
   for (ActiveRun& run : active) run.session->denoiser().resetHistory();
-  for (std::size_t i = 0; i < input.frames.size(); ++i) {
-    const io::FrameData frame = input.sequence->read(input.frames[i]);
-    for (std::size_t turn = 0; turn < active.size(); ++turn)
-      work(active[(round + i + turn) % active.size()], frame);
-  }
+  for (std::size_t i = 0; i < input.frames.size(); ++i)
+    runFrame(active, input.sequence->read(input.frames[i]), round + i, work);
 }
 
 void measureErrors(ActiveRun& active, const io::FrameData& frame, const io::FrameSequence& sequence,
@@ -128,16 +137,44 @@ void runTimed(ActiveRun& active, const io::FrameData& frame) {
   if (const auto ms = lastFrameMs(active.session->denoiser())) active.run.frameMs.back().push_back(*ms);
 }
 
-void runRounds(std::vector<ActiveRun>& active, const BenchInput& input, int rounds, int pictureFrame,
-               std::vector<BenchPicture>& pictures) {
+// Fills the history: repeats the last frame with the camera at rest, untimed. Returns that camera.
+Matrix4 settle(std::vector<ActiveRun>& active, const BenchInput& input) {
+  io::FrameData frame = input.sequence->read(input.frames.back());
+  frame.camera.worldToClipPrev = frame.camera.worldToClip;
+  for (ActiveRun& run : active) {
+    for (int i = 0; i < kSettlingFrames; ++i) run.session->run(frame);
+    run.session->denoiser().clearTimings();
+  }
+  return frame.camera.worldToClip;
+}
+
+// A round that goes on with the history: odd ones from the last frame back to the first, even ones on to the last.
+// `worldToClip`: the camera of the frame before, then of the last one run.
+void runRoundOnwards(std::vector<ActiveRun>& active, const BenchInput& input, std::size_t round,
+                     Matrix4& worldToClip) {
+  const std::size_t count = input.frames.size();
+  for (std::size_t i = 1; i < count; ++i) {
+    io::FrameData frame = input.sequence->read(input.frames[round % 2 == 1 ? count - 1 - i : i]);
+    frame.camera.worldToClipPrev = std::exchange(worldToClip, frame.camera.worldToClip);
+    runFrame(active, frame, round + i, runTimed);
+  }
+}
+
+void runRounds(std::vector<ActiveRun>& active, const BenchInput& input, int rounds, bool keepsHistory,
+               int pictureFrame, std::vector<BenchPicture>& pictures) {
   const std::string label = fmt::format("bench {} {}x{}", input.sequence->name(), input.sequence->width(),
                                         input.sequence->height());
   Progress progress(label, static_cast<std::size_t>(rounds) + 1);
   warmUp(active, input, pictureFrame, pictures);
+  Matrix4 worldToClip = keepsHistory ? settle(active, input) : Matrix4{};
   progress.step("warm-up");
   for (int round = 1; round <= rounds; ++round) {
     for (ActiveRun& run : active) run.run.frameMs.emplace_back();
-    runRound(active, input, static_cast<std::size_t>(round), runTimed);
+    const auto turn = static_cast<std::size_t>(round);
+    if (keepsHistory)
+      runRoundOnwards(active, input, turn, worldToClip);
+    else
+      runRound(active, input, turn, runTimed);
     progress.step(fmt::format("round {}", round));
   }
   for (ActiveRun& run : active) run.run.report.timings = run.session->timings();
@@ -172,7 +209,7 @@ void runInput(BenchResult& result, const BenchGroup& group, const BenchInput& in
   const int pictureFrame = keepPictures ? lastReferenceFrame(input) : -1;
   if (pictureFrame >= 0) keepInputPictures(result.pictures, input, pictureFrame);
   result.copyMeasurements.push_back(measureCopy(session));
-  runRounds(active, input, options.rounds, pictureFrame, result.pictures);
+  runRounds(active, input, options.rounds, group.keepsHistory, pictureFrame, result.pictures);
   result.copyMeasurements.push_back(measureCopy(session));
   for (ActiveRun& run : active) result.runs.push_back(std::move(run.run));
 }

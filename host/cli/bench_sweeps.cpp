@@ -33,7 +33,8 @@ const std::vector<Sweep>& sweeps() {
       {"iterations", {{{"iterations", {"1", "2", "3", "4", "5", "6", "7"}}}}},
       {"weight",
        {{{"irradianceLeastWeight", weights}, {"noisyLeastWeight", weights}},
-        {{"historyFrames", {"20", "10", "5", "2", "1"}}}}},
+        // For what is at rest historyFrames counts as well: it is the longer one.
+        {{"historyFrames", {"20", "10", "5", "2", "1"}}, {"stillHistoryFrames", {"1"}}}}},
       {"storage", {{{"solver", {"householder"}}, {"featureStorage", {"float", "half"}}}}},
       {"taa", {{{"taa", {"on", "off"}}}}},
       {"fbeta", {{{"demodulate", {"albedo", "fbeta"}}}}, {}, {}, true},

@@ -45,7 +45,7 @@ double predictMs(const BenchRun& run, const Gpu& gpu, const OperationCounts& ope
   for (const StageTimings& stage : run.report.timings->stages)
     ms += rooflineMs(
         double(stage.bytesMoved) * scale,
-        operations.perPixel(run.plan, stage.label) * kPixels * (1.0 - stage.skippedShare.value_or(0.0)),
+        operations.perPixel(run.plan, stage.label) * kPixels * workShare(stage, *run.report.timings),
         gpu.gigabytesPerSecond, gpu.gigaflops);
   return ms;
 }

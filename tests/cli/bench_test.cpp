@@ -1,6 +1,9 @@
 // quell bench as a user runs it: what it runs, skips, stores and refuses. Never how fast anything was.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -8,9 +11,11 @@
 
 #include "host/cli/bench_compare.hpp"
 #include "host/cli/bench_plan.hpp"
+#include "host/cli/bench_roofline.hpp"
 #include "host/cli/bench_sweeps.hpp"
 #include "host/cli/run_tool.hpp"
 #include "host/io/atomic_file.hpp"
+#include "host/io/exr_image.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace quell::tests {
@@ -241,6 +246,19 @@ TEST_CASE("the sweep of F_beta says what it needs where that is missing", "[cli]
   CHECK(contains(result.at("skipped")[0].at("reason"), "roughness"));
 }
 
+TEST_CASE("the sweep of F_beta runs on the first directory with roughness", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string rough = directory.file("rough");
+  std::filesystem::copy(kData, rough);
+  const io::Image albedo = io::readExr(rough + "/albedo_0004.exr");
+  for (int frame = 4; frame < 16; ++frame)
+    io::writeExr(fmt::format("{}/roughness_{:04}.exr", rough, frame),
+                 io::Image(albedo.width, albedo.height, 1));
+  CHECK(cli::directoryWithRoughness({kData, rough}, 1) == rough);
+  CHECK(cli::directoryWithRoughness({rough, kData}, 1) == rough);
+  CHECK(cli::directoryWithRoughness({kData}, 1) == kData);
+}
+
 TEST_CASE("what is skipped does not count as bytes moved", "[cli]") {
   const TemporaryDirectory directory;
   const auto varianceOf = [&](const std::string& skip) {
@@ -258,6 +276,19 @@ TEST_CASE("what is skipped does not count as bytes moved", "[cli]") {
   constexpr double kMap = 0.01;  // the map of what is background, over the images
   CHECK(some.at("bytes").get<double>() ==
         Approx((1.0 - share) * all.at("bytes").get<double>()).epsilon(kMap));
+}
+
+TEST_CASE("operations are those of the pixels that a stage works on", "[cli]") {
+  Timings timings;
+  timings.stages.resize(3);
+  timings.stages[0].stage = "background";
+  timings.stages[1].stage = "variance";
+  timings.stages[1].skippedShare = 0.75;
+  timings.stages[2].stage = "change";
+  const auto share = [&](std::size_t stage) { return cli::workShare(timings.stages[stage], timings); };
+  CHECK(share(0) == 0.75);
+  CHECK(share(1) == 0.25);
+  CHECK(share(2) == 1.0);
 }
 
 TEST_CASE("bench adds roofline, build times, sweeps and a page", "[cli]") {
@@ -320,6 +351,7 @@ json resultOf(const std::vector<double>& rounds, double rmse, double ssim) {
              {"input", "room"},
              {"width", 8},
              {"height", 8},
+             {"frames", 4},
              {"copy_ms", 2.0},
              {"round_medians_ms", rounds},
              {"errors", errors},
@@ -334,13 +366,18 @@ TEST_CASE("bench says what changed beyond noise", "[cli]") {
   CHECK(compared(before) == "1 runs compared: 0 slower, 0 faster; 0 figures worse, 0 better\n");
   CHECK(contains(compared(resultOf({4.6, 4.3, 4.5}, 0.1, 0.8)), " 0 slower, 0 faster"));
   CHECK(contains(compared(resultOf({4.6, 4.7, 4.5}, 0.1, 0.8)),
-                 "slower: bmfr on room, 8x8: 2.2 to 2.4 copies"));
+                 "slower: bmfr on room, 8x8, 4 frames: 2.2 to 2.4 copies"));
   CHECK(contains(compared(resultOf({3.6, 3.7, 3.5}, 0.1, 0.8)), "faster: bmfr on room"));
   CHECK(contains(compared(resultOf({4.2}, 0.102, 0.8)),
-                 "worse: bmfr on room, 8x8, frame 3: rmse 0.102, was 0.1"));
-  CHECK(contains(compared(resultOf({4.2}, 0.1, 0.78)), "worse: bmfr on room, 8x8, frame 3: ssim"));
+                 "worse: bmfr on room, 8x8, 4 frames, frame 3: rmse 0.102, was 0.1"));
+  CHECK(contains(compared(resultOf({4.2}, 0.1, 0.78)), "worse: bmfr on room, 8x8, 4 frames, frame 3: ssim"));
   CHECK(contains(compared(resultOf({4.2}, 0.09, 0.8)), " 0 figures worse, 1 better"));
   CHECK(contains(compared({{"runs", json::array()}}), "0 runs compared"));
+  json longer = before, swept = before;
+  longer["runs"][0]["frames"] = 8;
+  swept["runs"][0]["sweep"] = "sizes";
+  CHECK(contains(compared(longer), "0 runs compared"));
+  CHECK(contains(compared(swept), "0 runs compared"));
   CHECK_THROWS_AS(cli::compareBench({{"runs", {{{"run", "bmfr"}}}}}, before, "old.json"), Error);
 }
 

@@ -99,7 +99,8 @@ function variedSettings(runs) {
   return settings.filter(setting => new Set(runs.map(run => run.assignments[setting])).size > 2);
 }
 
-// Of runs of the sweep `weight`; a history of so many frames gives the newest one a share of it.
+// Of runs of the sweep `weight`; the newest frame of the longest history has 1 / historyFrames (the sweep sees to it that
+// this holds for what is at rest, too).
 const WEIGHTS = ["irradianceLeastWeight", "noisyLeastWeight"];
 function leastWeight(run) {
   const weight = WEIGHTS.map(setting => run.assignments[setting]).find(value => value !== undefined);
