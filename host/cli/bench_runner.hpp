@@ -64,7 +64,8 @@ struct BenchResult {
 ///
 /// A frame is read once a round and goes through all runs in turn, so that drift of the machine hits all of
 /// them alike; who comes first changes from frame to frame. One sequence of one group is worked on at a time, so that
-/// memory holds its runs only. Errors are measured in the warm-up round.
+/// memory holds its runs only. Errors are measured in the warm-up round. A round starts without history, except where the
+/// group keeps it (BenchGroup::keepsHistory): its timed rounds have one frame less.
 ///
 /// Throws Error(InvalidArgument) if the library refuses every combination, and whatever the denoiser or the
 /// sequences throw.
