@@ -11,6 +11,7 @@
 #include "host/cli/denoise_session.hpp"
 #include "host/cli/progress.hpp"
 #include "host/metrics/display_encoding.hpp"
+#include "host/metrics/error.hpp"
 
 namespace quell::cli {
 namespace {
@@ -72,19 +73,13 @@ int lastReferenceFrame(const BenchInput& input) {
   return -1;
 }
 
-io::Image meanOf(const io::Reference& reference) {
-  io::Image mean = reference.a;
-  for (std::size_t i = 0; i < reference.b.pixels.size(); ++i)
-    mean.pixels[i] = 0.5f * (mean.pixels[i] + reference.b.pixels[i]);
-  return mean;
-}
-
 void keepInputPictures(std::vector<BenchPicture>& pictures, const BenchInput& input, int frame) {
   const std::string name = input.sequence->name();
   const io::FrameData data = input.sequence->read(frame);
+  const io::Reference reference = *input.sequence->reference(frame);
   pictures.push_back({name, frame, "noisy", metrics::encodeForDisplay(data.noisy())});
   pictures.push_back(
-      {name, frame, "reference", metrics::encodeForDisplay(meanOf(*input.sequence->reference(frame)))});
+      {name, frame, "reference", metrics::encodeForDisplay(metrics::meanOfHalves(reference.a, reference.b))});
 }
 
 // Calls work(run, frame) for every run, from the run at `first` on.

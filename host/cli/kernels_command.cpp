@@ -10,6 +10,7 @@
 
 #include "host/cli/commands.hpp"
 #include "host/cli/kernel_variants.hpp"
+#include "host/core/device_traits.hpp"
 #include "host/core/kernel_sources.hpp"
 #include "host/io/atomic_file.hpp"
 
@@ -22,8 +23,6 @@ using nlohmann::json;
 constexpr std::size_t kGpuWorkGroup = 256;
 // PoCL's limit.
 constexpr std::size_t kCpuWorkGroup = 4096;
-constexpr int kNarrowLanes = 1;
-constexpr int kWideLanes = 16;
 
 struct KernelsOptions {
   std::vector<std::string> methods = methodNames();

@@ -13,6 +13,7 @@
 #include "host/cli/commands.hpp"
 #include "host/cli/denoise_session.hpp"
 #include "host/cli/progress.hpp"
+#include "host/core/device_traits.hpp"
 #include "host/core/program_cache.hpp"
 #include "host/core/tuning.hpp"
 #include "host/io/analytic_sequence.hpp"
@@ -55,7 +56,7 @@ std::vector<Candidate> candidates(Mapping usual) {
   return all;
 }
 
-int lanesOf(Mapping mapping) { return mapping == Mapping::Wide ? 16 : 1; }
+int lanesOf(Mapping mapping) { return mapping == Mapping::Wide ? kWideLanes : kNarrowLanes; }
 
 std::string nameOf(const StageTuning& tuning) {
   std::string name = tuning.lanes > 1 ? "wide" : "narrow";
@@ -83,7 +84,7 @@ DeviceTuning choose(const StageTimes& times, const std::vector<Candidate>& all) 
 }
 
 // Adds the stages of a method under one candidate; stages of one name are taken together.
-void addTimes(const TuneOptions& options, const std::string& method, const io::FrameSequence& sequence,
+void addTimes(const TuneOptions& options, const std::string& method, const std::vector<io::FrameData>& frames,
               const std::vector<Candidate>& all, std::size_t candidate, StageTimes& times) {
   Options denoiser;
   denoiser.timers = TimerMode::Device;
@@ -91,8 +92,8 @@ void addTimes(const TuneOptions& options, const std::string& method, const io::F
   denoiser.workGroup = all[candidate].workGroup;
   denoiser.fitGroup = all[candidate].fitGroup;
   denoiser.cacheDirectory = "";
-  DenoiseSession session(options.device, Settings(method), denoiser, sequence.read(0));
-  for (const int frame : sequence.frames()) session.run(sequence.read(frame));
+  DenoiseSession session(options.device, Settings(method), denoiser, frames.front());
+  for (const io::FrameData& frame : frames) session.run(frame);
   for (const StageTimings& stage : session.denoiser().timings().stages) {
     std::vector<double>& ms = times[stage.stage];
     ms.resize(all.size());
@@ -107,12 +108,14 @@ DeviceTuning measure(const TuneOptions& options, const DeviceTraits& device) {
   analytic.height = size.height;
   analytic.frameCount = options.frames;
   const auto sequence = io::makeAnalyticSequence(analytic);
+  std::vector<io::FrameData> frames;  // read once: to make one up takes longer than to denoise it
+  for (const int frame : sequence->frames()) frames.push_back(sequence->read(frame));
   const std::vector<Candidate> all = candidates(device.lanes > 1 ? Mapping::Wide : Mapping::Narrow);
   Progress progress(kCommand, options.methods.size() * all.size());
   StageTimes times;
   for (const std::string& method : options.methods) {
     for (std::size_t candidate = 0; candidate < all.size(); ++candidate) {
-      addTimes(options, method, *sequence, all, candidate, times);
+      addTimes(options, method, frames, all, candidate, times);
       progress.step(method);
     }
   }

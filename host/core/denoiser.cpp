@@ -248,11 +248,11 @@ class Denoiser::Implementation {
       if (contains(row.reads, kSurfacesBuffer) && row.stage->name() != "background")
         map.stages.push_back(row.stage->label());
     if (map.stages.empty() || m_frameIndex == 0) return {};
-    const int lanes = m_configuration.device.lanes;
-    map.itemWidth = lanes;
-    map.columns = (m_configuration.size().width + lanes - 1) / lanes;
-    map.rows = m_configuration.size().height;
-    map.background.resize(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows));
+    const auto [columns, rows] = pixelItems(m_configuration);
+    map.itemWidth = m_configuration.device.lanes;
+    map.columns = static_cast<int>(columns);
+    map.rows = static_cast<int>(rows);
+    map.background.resize(columns * rows);
     m_lastEvent.wait();  // a read that waited for a failed frame would never end on some runtimes
     m_queue.enqueueReadBuffer(m_buffers.get(kSurfacesBuffer, 0), CL_TRUE, 0, map.background.size(),
                               map.background.data());

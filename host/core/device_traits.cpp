@@ -15,7 +15,7 @@ DeviceTraits queryDeviceTraits(const cl::Device& device, Mapping mapping) {
                     device.getInfo<CL_DEVICE_VERSION>() + "\n" + device.getInfo<CL_DRIVER_VERSION>();
   traits.isCpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
   const bool wide = mapping == Mapping::Wide || (mapping == Mapping::Automatic && traits.isCpu);
-  traits.lanes = wide ? 16 : 1;
+  traits.lanes = wide ? kWideLanes : kNarrowLanes;
   traits.maxWorkGroup = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
   const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>(), true);
   traits.compilesForBinaries = platform.getInfo<CL_PLATFORM_NAME>() == kPoclPlatform;

@@ -8,11 +8,15 @@
 
 namespace quell {
 
+/// Pixels per work-item of the per-pixel kernels; see kernels/common/lanes.h.
+constexpr int kNarrowLanes = 1;
+constexpr int kWideLanes = 16;
+
 struct DeviceTraits {
   std::string name;
   std::string identity;  ///< vendor, name, version and driver: what a compiled program is valid for
   bool isCpu = false;
-  int lanes = 1;  ///< pixels per work-item of the per-pixel kernels, 1 or 16
+  int lanes = kNarrowLanes;  ///< or kWideLanes
   std::size_t maxWorkGroup = 1;
   /// To give a program's binary the runtime compiles every kernel once more, for a work-group of any size.
   bool compilesForBinaries = false;

@@ -66,6 +66,12 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+std::array<std::size_t, 2> pixelItems(const Configuration& configuration) {
+  const std::size_t lanes = static_cast<std::size_t>(configuration.device.lanes);
+  const std::size_t width = static_cast<std::size_t>(configuration.size().width);
+  return {(width + lanes - 1) / lanes, static_cast<std::size_t>(configuration.size().height)};
+}
+
 PlaneParams makePlanes(Size size) {
   PlaneParams planes;
   planes.width = size.width;

@@ -1,6 +1,7 @@
 // A method as a table: named buffers, and stages in order with what each reads and writes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <quell/denoiser.hpp>
@@ -56,6 +57,9 @@ struct Configuration {
 
 /// True if `name` is one of the names.
 bool contains(const std::vector<std::string>& names, const std::string& name);
+
+/// Work-items of a per-pixel kernel, in x and y.
+std::array<std::size_t, 2> pixelItems(const Configuration& configuration);
 
 /// Geometry of the planes of an image of this size.
 PlaneParams makePlanes(Size size);

@@ -71,10 +71,6 @@ std::uint64_t imageBytes(const ImageView& view, Size size) {
          static_cast<std::uint64_t>(view.channels) * view.componentBytes();
 }
 
-std::array<std::size_t, 2> FrameRun::pixelRange() const {
-  const std::size_t lanes = static_cast<std::size_t>(configuration.device.lanes);
-  const std::size_t width = static_cast<std::size_t>(configuration.size().width);
-  return {(width + lanes - 1) / lanes, static_cast<std::size_t>(configuration.size().height)};
-}
+std::array<std::size_t, 2> FrameRun::pixelRange() const { return pixelItems(configuration); }
 
 }  // namespace quell

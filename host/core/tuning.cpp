@@ -6,8 +6,6 @@ namespace quell {
 namespace {
 
 constexpr char kFormat[] = "quell tuning 1";
-constexpr int kNarrowLanes = 1;
-constexpr int kWideLanes = 16;
 constexpr int kMostItems = 4096;  // of a work-group, along each axis
 constexpr int kMostFitGroup = 256;
 

@@ -54,7 +54,7 @@ void addOutputStages(Schedule& schedule, const Configuration& configuration, con
                      bool antialias, bool skip) {
   using Names = std::vector<std::string>;
   const bool encodes = configuration.output.display.present() && antialias;
-  const Names surfaces = skip ? Names{"surfaces"} : Names{};
+  const Names surfaces = skip ? Names{kSurfacesBuffer} : Names{};
   if (encodes) {
     schedule.buffers.push_back(transient("encoded", Element::Float32, 3));
     schedule.buffers.push_back(history("antialiased", Element::Float32, 3));

@@ -177,16 +177,10 @@ ChangeDetection changeDetection(const Settings& s) {
 
 bool followsChange(const Settings& s) { return s.get("mostWeight") > 0.0; }
 
-// Work-items of a per-pixel kernel.
-std::size_t surfaceCount(const Configuration& configuration) {
-  const int lanes = configuration.device.lanes;
-  const Size size = configuration.size();
-  return static_cast<std::size_t>((size.width + lanes - 1) / lanes) * static_cast<std::size_t>(size.height);
-}
-
 std::vector<BufferSpec> buffers(const Configuration& configuration) {
   const int signals = signalCount(configuration.frame);
   const std::size_t tiles = changeTileCount(configuration.size(), signals);
+  const auto [columns, rows] = pixelItems(configuration);
   const auto f32 = Element::Float32;
   return {
       history("irradiance", f32, 3 * signals),
@@ -203,7 +197,7 @@ std::vector<BufferSpec> buffers(const Configuration& configuration) {
       {"recentChange", f32, 0, tiles, followsChange(configuration.settings)},
       elements("changeWeights", tiles),
       transient("variance", f32, signals),
-      {kSurfacesBuffer, Element::UInt8, 0, surfaceCount(configuration), false},
+      {kSurfacesBuffer, Element::UInt8, 0, columns * rows, false},
       transient("filteredOdd", f32, 3 * signals),
       transient("varianceOdd", f32, signals),
       transient("filteredEven", f32, 3 * signals),

@@ -43,7 +43,7 @@ void AccumulateNoisy::enqueue(FrameRun& run) {
              run.buffer("reprojectionMask"), bufferIf(m_setup.filterGuides, "viewDepth"),
              bufferIf(roughness, "roughness"), bufferIf(dividesByFBeta(run.configuration), "fBeta"),
              bufferIf(m_setup.innovation, "newestIrradiance"), bufferIf(m_setup.innovation, "innovation"),
-             bufferIf(m_setup.skip, "surfaces"), params);
+             bufferIf(m_setup.skip, kSurfacesBuffer), params);
 }
 
 std::uint64_t AccumulateNoisy::callerBytes(const Configuration& configuration) const {

@@ -35,8 +35,8 @@ void Atrous::enqueue(FrameRun& run) {
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer(m_setup.input),
              bufferIf(variance, m_setup.variance), run.buffer("guides"), run.buffer("viewDepth"),
              bufferIf(readsRoughness(run.configuration.frame), "roughness"), run.buffer(m_setup.output),
-             bufferIf(!m_setup.varianceOut.empty(), m_setup.varianceOut), bufferIf(m_setup.skip, "surfaces"),
-             params);
+             bufferIf(!m_setup.varianceOut.empty(), m_setup.varianceOut),
+             bufferIf(m_setup.skip, kSurfacesBuffer), params);
 }
 
 }  // namespace quell

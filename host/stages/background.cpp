@@ -23,7 +23,7 @@ void Background::enqueue(FrameRun& run) {
   params.finish = m_antialias && isJittered(frame.camera) ? 0 : 1;
   const auto bufferIf = [&](const char* name) { return m_antialias ? run.buffer(name) : cl::Buffer(); };
   run.launch(m_kernel, run.pixelRange(), m_workGroup, frame.radiance, frame.glossyRadiance, frame.emission,
-             frame.albedo, frame.glossColor, run.buffer("surfaces"), bufferIf("encoded"),
+             frame.albedo, frame.glossColor, run.buffer(kSurfacesBuffer), bufferIf("encoded"),
              bufferIf("antialiased"), run.output.linear, run.output.display, params);
 }
 

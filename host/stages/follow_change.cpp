@@ -15,7 +15,7 @@ void FollowChange::enqueue(FrameRun& run) {
   ChangeParams params = makeChangeParams(m_detection, run.configuration.size());
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("changeWeights"),
              run.buffer("newestIrradiance"), run.buffer("irradiance"), run.buffer("moments"),
-             run.buffer("historyLength"), m_skip ? run.buffer("surfaces") : cl::Buffer(), params);
+             run.buffer("historyLength"), m_skip ? run.buffer(kSurfacesBuffer) : cl::Buffer(), params);
 }
 
 }  // namespace quell

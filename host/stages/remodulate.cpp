@@ -25,7 +25,7 @@ void Remodulate::enqueue(FrameRun& run) {
              dividesByFBeta(run.configuration) ? run.buffer("fBeta") : cl::Buffer(), frame.radiance,
              frame.glossyRadiance, frame.emission, frame.albedo, frame.glossColor,
              m_writePlanes ? run.buffer("encoded") : cl::Buffer(), run.output.linear,
-             displayOutput(run.output), m_skip ? run.buffer("surfaces") : cl::Buffer(), params);
+             displayOutput(run.output), m_skip ? run.buffer(kSurfacesBuffer) : cl::Buffer(), params);
 }
 
 std::uint64_t Remodulate::callerBytes(const Configuration& configuration) const {

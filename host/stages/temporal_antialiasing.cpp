@@ -19,7 +19,7 @@ void TemporalAntialiasing::enqueue(FrameRun& run) {
   params.jitters = isJittered(run.frame.camera) ? 1 : 0;
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("encoded"), run.buffer("antialiased.prev"),
              run.buffer("pixelPrev"), run.buffer("reprojectionMask"), run.buffer("antialiased"),
-             run.output.display, m_skip ? run.buffer("surfaces") : cl::Buffer(), params);
+             run.output.display, m_skip ? run.buffer(kSurfacesBuffer) : cl::Buffer(), params);
 }
 
 std::uint64_t TemporalAntialiasing::callerBytes(const Configuration& configuration) const {

@@ -19,7 +19,7 @@ void Variance::enqueue(FrameRun& run) {
   params.temporalFrames = m_setup.temporalFrames;
   run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("moments"), run.buffer("historyLength"),
              run.buffer("guides"), run.buffer("viewDepth"), run.buffer("variance"),
-             m_setup.skip ? run.buffer("surfaces") : cl::Buffer(), params);
+             m_setup.skip ? run.buffer(kSurfacesBuffer) : cl::Buffer(), params);
 }
 
 }  // namespace quell
