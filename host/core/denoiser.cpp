@@ -179,7 +179,7 @@ class Denoiser::Implementation {
         m_queue(queue, true),
         m_cache(options.cacheDirectory ? *options.cacheDirectory : defaultCacheDirectory()),
         m_method(findMethod(settings.method())),
-        m_configuration{{}, options, settings, {}, {}} {
+        m_configuration{{}, options, settings, {}, {}, {}, m_method.runtimeSettings(settings)} {
     checkQueue(m_context, m_device, m_queue, options);
     m_configuration.device = queryDeviceTraits(m_device, options.mapping);
     m_outOfOrder = (m_queue.getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE) != 0;
@@ -339,8 +339,8 @@ class Denoiser::Implementation {
   cl::Event record(const Frame& frame, const Output& output, std::vector<cl::Event> waitFor) {
     forgetFailedFrame();
     const bool historyValid = m_frameIndex > 0;
-    const ReprojectionParams reprojection = makeReprojectionParams(
-        frame.camera, frame.size, m_method.discardLimits(m_configuration.settings), historyValid);
+    const ReprojectionParams reprojection =
+        makeReprojectionParams(frame.camera, frame.size, m_configuration.runtime.discard, historyValid);
     if (m_outOfOrder && m_lastEvent() != nullptr) waitFor.push_back(m_lastEvent);
     const bool keepEvents = m_timer != nullptr;
     // On an in-order queue the chain carries on what a failing event of the wait list means for later

@@ -5,7 +5,7 @@
 namespace quell {
 
 bool dividesByFBeta(const Configuration& configuration) {
-  if (configuration.settings.text("demodulate") != "fbeta") return false;
+  if (configuration.runtime.demodulation != Demodulation::FBeta) return false;
   if (!configuration.frame.roughness.present())
     throw Error(ErrorCode::InvalidArgument,
                 {"prepare", "roughness", "an image, since light is divided by F_beta", "none"});
@@ -19,7 +19,7 @@ std::string materialOptions(const Configuration& configuration) {
          layoutOptions("GLOSSCOLOR", frame.glossColor) + layoutOptions("ROUGHNESS", frame.roughness) +
          layoutOptions("F0", frame.f0) + " -D QUELL_SIGNALS=" + std::to_string(signalCount(frame)) +
          (frame.demodulated ? " -D DEMODULATED=1" : " -D DEMODULATED=0") +
-         " -D DEMODULATE=" + std::to_string(static_cast<int>(configuration.settings.get("demodulate")));
+         " -D DEMODULATE=" + std::to_string(static_cast<int>(configuration.runtime.demodulation));
 }
 
 MaterialParams makeMaterialParams(const Frame& frame, const ReprojectionParams& reprojection) {

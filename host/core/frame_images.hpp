@@ -43,10 +43,10 @@ inline const ImageView& positionView(const Frame& frame) {
   return frame.positionWorld.present() ? frame.positionWorld : frame.viewDepth;
 }
 
-/// True if the setting `demodulate` asks for F_beta. Throws Error(InvalidArgument) without a roughness image.
+/// True if light is divided by F_beta, too. Throws Error(InvalidArgument) without a roughness image.
 bool dividesByFBeta(const Configuration& configuration);
 
-/// Compile options for light and what it is divided by, as the setting `demodulate` says.
+/// Compile options for light and what it is divided by.
 std::string materialOptions(const Configuration& configuration);
 MaterialParams makeMaterialParams(const Frame& frame, const ReprojectionParams& reprojection);
 /// Bytes of light and what it is divided by.

@@ -26,10 +26,12 @@ class RecordingKernelBuilder : public KernelBuilder {
 
 }  // namespace
 
-std::vector<KernelUse> listKernels(const Configuration& configuration) {
+std::vector<KernelUse> listKernels(Configuration configuration) {
+  const Method& method = findMethod(configuration.settings.method());
+  configuration.runtime = method.runtimeSettings(configuration.settings);
   std::vector<KernelUse> uses;
   const RecordingKernelBuilder builder(configuration, uses);
-  const Schedule schedule = findMethod(configuration.settings.method()).makeSchedule(configuration);
+  const Schedule schedule = method.makeSchedule(configuration);
   for (const StageRow& row : schedule.stages) row.stage->build(builder);
   return uses;
 }

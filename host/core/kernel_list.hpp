@@ -14,8 +14,8 @@ struct KernelUse {
   std::string options;  ///< as for the compiler
 };
 
-/// What the stages compile for this configuration, in their order, repeated where stages repeat. No OpenCL device
-/// is needed. Throws what prepare() would throw for settings that do not go together.
-std::vector<KernelUse> listKernels(const Configuration& configuration);
+/// What the stages compile for this configuration, in their order, repeated where stages repeat; its `runtime` is made
+/// here. No OpenCL device is needed. Throws what prepare() would throw for settings that do not go together.
+std::vector<KernelUse> listKernels(Configuration configuration);
 
 }  // namespace quell

@@ -10,6 +10,7 @@
 
 #include "host/core/device_traits.hpp"
 #include "host/core/opencl.hpp"
+#include "host/core/runtime_settings.hpp"
 #include "kernels/common/types.h"
 
 namespace quell {
@@ -48,9 +49,10 @@ struct Configuration {
   DeviceTraits device;
   Options options;
   Settings settings;
-  Frame frame;                 ///< layouts only
-  Output output;               ///< layouts only
-  cl::Buffer fBetaTable = {};  ///< empty unless light is divided by F_beta; see FBetaTable
+  Frame frame;                   ///< layouts only
+  Output output;                 ///< layouts only
+  cl::Buffer fBetaTable = {};    ///< empty unless light is divided by F_beta; see FBetaTable
+  RuntimeSettings runtime = {};  ///< of `settings`, as Method::runtimeSettings says
 
   Size size() const { return frame.size; }
 };

@@ -86,8 +86,7 @@ void Settings::set(const std::string& name, const std::string& text) {
   const std::size_t index = indexOf(name);
   const SettingDescription& setting = descriptions()[index];
   if (setting.kind == SettingKind::Text) {
-    const Method& method = findMethod(m_method);
-    if (method.checkText) method.checkText(name, text);
+    findMethod(m_method).checkText(name, text);
     m_values[index].text = text;
     return;
   }

@@ -1,7 +1,7 @@
 #include "host/methods/atrous.hpp"
 
 #include "host/core/frame_images.hpp"
-#include "host/methods/common_settings.hpp"
+#include "host/methods/atrous_settings.hpp"
 #include "host/methods/method_table.hpp"
 #include "host/stages/atrous.hpp"
 #include "host/stages/demodulate.hpp"
@@ -9,26 +9,8 @@
 namespace quell {
 namespace {
 
-SettingList settings() {
-  const SettingDescription luminanceSigma = {
-      "luminanceSigma",
-      SettingKind::Real,
-      4.0,
-      0.01,
-      1e6,
-      "luminance",
-      "difference in luminance at which a tap's weight falls to 1/e; halves with every iteration",
-      "Dammertz et al. 2010, section 3 (halving); sweep over four rendered sequences, docs/svgf-sweep.md",
-      {}};
-  SettingList edgeStops = atrousSettings(luminanceSigma);
-  for (SettingDescription& setting : edgeStops) setting.paper.reset();  // those are of another paper
-  return joined({edgeStops, demodulationSettings()});
-}
-
-Schedule makeSchedule(const Configuration& configuration) {
-  const Settings& s = configuration.settings;
+Schedule makeSchedule(const Configuration& configuration, const AtrousSettings& s) {
   const int signals = signalCount(configuration.frame);
-  const int iterations = static_cast<int>(s.get("iterations"));
   const auto f32 = Element::Float32;
 
   Schedule schedule;
@@ -45,22 +27,22 @@ Schedule makeSchedule(const Configuration& configuration) {
   const std::vector<std::string> filterGuides = filterGuideNames(configuration);
   addStage(schedule, std::make_unique<Demodulate>(), {},
            joinedNames(joinedNames({"irradiance"}, filterGuides), addFBeta(schedule, configuration)));
-  for (int i = 1; i <= iterations; ++i) {
-    const double sigma = s.get("luminanceSigma") / (1 << (i - 1));
+  for (int i = 1; i <= s.iterations; ++i) {
+    const double sigma = s.luminanceSigma / (1 << (i - 1));
     addStage(schedule,
              std::make_unique<Atrous>(
-                 Atrous::Setup{edgeStops(s), sigma, 1 << (i - 1), levelAfter(i - 1), levelAfter(i), "", ""}),
+                 Atrous::Setup{s.stops, sigma, 1 << (i - 1), levelAfter(i - 1), levelAfter(i), "", ""}),
              joinedNames({levelAfter(i - 1)}, filterGuides), {levelAfter(i)});
   }
-  addOutputStages(schedule, configuration, levelAfter(iterations), false);
+  addOutputStages(schedule, configuration, levelAfter(s.iterations), {});
   return schedule;
 }
 
 }  // namespace
 
 Method atrousMethod() {
-  return {"atrous", "edge-avoiding a-trous wavelets, one frame alone (Dammertz et al. 2010)", settings(),
-          makeSchedule, [](const Settings&) { return DiscardLimits{}; }};
+  return makeMethod("atrous", "edge-avoiding a-trous wavelets, one frame alone (Dammertz et al. 2010)",
+                    atrousSettings(), makeSchedule);
 }
 
 }  // namespace quell

@@ -51,9 +51,9 @@ void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std:
 }
 
 void addOutputStages(Schedule& schedule, const Configuration& configuration, const std::string& filtered,
-                     bool antialias, bool skip) {
+                     const AntialiasingSettings& antialiasing, bool skip) {
   using Names = std::vector<std::string>;
-  const bool encodes = configuration.output.display.present() && antialias;
+  const bool encodes = configuration.output.display.present() && antialiasing.taa;
   const Names surfaces = skip ? Names{kSurfacesBuffer} : Names{};
   if (encodes) {
     schedule.buffers.push_back(transient("encoded", Element::Float32, 3));
@@ -67,8 +67,7 @@ void addOutputStages(Schedule& schedule, const Configuration& configuration, con
                        dividesByFBeta(configuration) ? Names{"fBeta"} : Names{}),
            encodes ? Names{"encoded"} : Names{});
   if (!encodes) return;
-  addStage(schedule,
-           std::make_unique<TemporalAntialiasing>(configuration.settings.get("taaNewestWeight"), skip),
+  addStage(schedule, std::make_unique<TemporalAntialiasing>(antialiasing.taaNewestWeight, skip),
            joinedNames({"encoded", "antialiased.prev", "pixelPrev", "reprojectionMask"}, surfaces),
            {"antialiased"});
 }

@@ -7,6 +7,7 @@
 
 #include "host/core/schedule.hpp"
 #include "host/core/stage.hpp"
+#include "host/methods/common_settings.hpp"
 
 namespace quell {
 
@@ -35,10 +36,10 @@ std::vector<std::string> previousNames(std::vector<std::string> names);
 void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
               std::vector<std::string> writes);
 
-/// Adds the lines from filtered irradiance to the caller's images: remodulate and, with `antialias`,
-/// temporal_antialiasing, and the buffers between them. Reads guides and, with `antialias`, pixelPrev and
+/// Adds the lines from filtered irradiance to the caller's images: remodulate and, with `taa`,
+/// temporal_antialiasing, and the buffers between them. Reads guides and, with `taa`, pixelPrev and
 /// reprojectionMask. With `skip` background has a stage of its own, and surfaces is read.
 void addOutputStages(Schedule& schedule, const Configuration& configuration, const std::string& filtered,
-                     bool antialias, bool skip = false);
+                     const AntialiasingSettings& antialiasing, bool skip = false);
 
 }  // namespace quell

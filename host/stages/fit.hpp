@@ -12,6 +12,7 @@ enum class FeatureStorage {
   Float,  ///< float, in private memory
   Half,   ///< half, block after block in global memory, as in the reference implementation
 };
+constexpr std::array<const char*, 2> choiceNames(FeatureStorage) { return {"float", "half"}; }
 
 /// Blocks that cover an image of this size at any of the 16 offsets.
 int blockCount(Size size);

@@ -1,19 +1,16 @@
 // Light and material of a pixel: one signal (radiance as a whole, divided by albedo + gloss colour) or two (diffuse
 // radiance, divided by albedo, and glossy radiance, divided by gloss colour), as far as the configuration has them.
 //
-// Compile options: QUELL_SIGNALS 1 or 2; DEMODULATED 1 where the caller has divided already; DEMODULATE 0 where light
-// is to be filtered as it is, 1 where it is divided by albedo and gloss colour, 2 where the gloss colour is multiplied
-// by F_beta before that (Zhuang et al. 2021, eq. (8)); what the caller has divided lacks F_beta still.
+// Compile options: QUELL_SIGNALS 1 or 2; DEMODULATED 1 where the caller has divided already; DEMODULATE, one of
+// common/demodulate_modes.h; what the caller has divided lacks F_beta still.
 #ifndef QUELL_COMMON_MATERIAL_H
 #define QUELL_COMMON_MATERIAL_H
 
+#include "common/demodulate_modes.h"
 #include "common/demodulation.h"
 #include "common/f_beta.h"
 #include "common/material_params.h"
 #include "common/planes.h"
-
-#define QUELL_DEMODULATE_ALBEDO 1
-#define QUELL_DEMODULATE_F_BETA 2
 
 typedef struct Signal {
   float3L value;   // without emission, [0, 65504]; 0 where it is broken

@@ -133,10 +133,12 @@ StageHarness::StageHarness(const std::string& stem, const StageSetup& setup)
   m_configuration.options.fitGroup = setup.fitGroup;
   m_configuration.device = queryDeviceTraits(device.device, setup.mapping);
   m_frame = m_configuration.frame;
+  const Method& method = findMethod(setup.settings.method());
+  m_configuration.runtime = method.runtimeSettings(setup.settings);
 
   if (dividesByFBeta(m_configuration))
     m_configuration.fBetaTable = sharedFBetaTexels(Mapping::Wide, Shadowing::Separable).buffer();
-  m_schedule = findMethod(setup.settings.method()).makeSchedule(m_configuration);
+  m_schedule = method.makeSchedule(m_configuration);
   int skip = setup.occurrence;
   const auto isWanted = [&](const StageRow& row) { return row.stage->name() == stem && skip-- == 0; };
   while (m_row < m_schedule.stages.size() && !isWanted(m_schedule.stages[m_row])) ++m_row;

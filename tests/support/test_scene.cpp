@@ -93,7 +93,7 @@ Camera makeCamera(const TestCamera& now, const TestCamera& before, Size size) {
 
 ReprojectionParams makeReprojection(const TestCamera& now, const TestCamera& before, Size size,
                                     bool historyValid) {
-  const DiscardLimits limits = findMethod("bmfr").discardLimits(Settings("bmfr"));
+  const DiscardLimits limits = findMethod("bmfr").runtimeSettings(Settings("bmfr")).discard;
   return makeReprojectionParams(makeCamera(now, before, size), size, limits, historyValid);
 }
 
