@@ -58,6 +58,4 @@ inline SettingTable<BmfrSettings> bmfrSettings() {
   return table;
 }
 
-inline RuntimeSettings runtimeSettings(const BmfrSettings& s) { return runtimeSettings(s.common); }
-
 }  // namespace quell

@@ -76,8 +76,10 @@ inline SettingTable<CommonSettings> commonSettings() {
   return table;
 }
 
-inline RuntimeSettings runtimeSettings(const CommonSettings& s) {
-  return {s.demodulate, discardLimits(s.discard)};
+/// Of the settings of a method that has these.
+template <class S>
+RuntimeSettings runtimeSettings(const S& settings) {
+  return {settings.common.demodulate, discardLimits(settings.common.discard)};
 }
 
 template <class S>

@@ -59,6 +59,4 @@ inline SettingTable<QuellSettings> quellSettings() {
   return table;
 }
 
-inline RuntimeSettings runtimeSettings(const QuellSettings& s) { return runtimeSettings(s.common); }
-
 }  // namespace quell

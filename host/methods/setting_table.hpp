@@ -45,23 +45,23 @@ class SettingTable {
 
   Row& add(const char* name, double Struct::*member, double byDefault, const SettingRange& range,
            const char* description, const char* source) {
-    return addNumber(SettingKind::Real, name, member, byDefault, range, description, source);
+    return addNumber(name, SettingKind::Real, member, byDefault, range, description, source);
   }
   Row& add(const char* name, int Struct::*member, int byDefault, const SettingRange& range,
            const char* description, const char* source) {
-    return addNumber(SettingKind::Integer, name, member, byDefault, range, description, source);
+    return addNumber(name, SettingKind::Integer, member, byDefault, range, description, source);
   }
   Row& add(const char* name, bool Struct::*member, bool byDefault, const char* description,
            const char* source) {
-    return addNumber(SettingKind::Boolean, name, member, byDefault, {0.0, 1.0}, description, source);
+    return addNumber(name, SettingKind::Boolean, member, byDefault, {0.0, 1.0}, description, source);
   }
 
   template <class Choice, std::enable_if_t<std::is_enum_v<Choice>, int> = 0>
   Row& add(const char* name, Choice Struct::*member, Choice byDefault, const char* description,
            const char* source) {
     const auto names = choiceNames(byDefault);
-    Row& row = addNumber(SettingKind::Choice, name, member, byDefault,
-                         {0.0, static_cast<double>(names.size() - 1)}, description, source);
+    const SettingRange range{0.0, static_cast<double>(names.size() - 1)};
+    Row& row = addNumber(name, SettingKind::Choice, member, byDefault, range, description, source);
     row.description.choices.assign(names.begin(), names.end());
     return row;
   }
@@ -70,11 +70,11 @@ class SettingTable {
   template <class Value, std::enable_if_t<std::is_constructible_v<Value, std::string>, int> = 0>
   Row& add(const char* name, Value Struct::*member, const char* byDefault, const char* description,
            const char* source) {
-    const auto resolve = [name, member](Struct& values, const Settings& settings) {
-      values.*member = Value(settings.text(name));
-    };
-    Row& row =
-        push({name, SettingKind::Text, 0.0, 0.0, 0.0, "", description, source, {}, byDefault}, resolve);
+    Row& row = push(name, SettingKind::Text, 0.0, {}, description, source,
+                    [name, member](Struct& values, const Settings& settings) {
+                      values.*member = Value(settings.text(name));
+                    });
+    row.description.defaultText = byDefault;
     row.checkText = [](const std::string& text) { static_cast<void>(Value(text)); };
     return row;
   }
@@ -82,11 +82,11 @@ class SettingTable {
   /// A choice of a few numbers; the first one is the default.
   Row& addOneOf(const char* name, int Struct::*member, const std::vector<int>& numbers, const char* unit,
                 const char* description, const char* source) {
-    const auto resolve = [name, member, numbers](Struct& values, const Settings& settings) {
-      values.*member = numbers[static_cast<std::size_t>(settings.get(name))];
-    };
-    const auto last = static_cast<double>(numbers.size() - 1);
-    Row& row = push({name, SettingKind::Choice, 0.0, 0.0, last, unit, description, source, {}}, resolve);
+    const SettingRange range{0.0, static_cast<double>(numbers.size() - 1), unit};
+    Row& row = push(name, SettingKind::Choice, 0.0, range, description, source,
+                    [name, member, numbers](Struct& values, const Settings& settings) {
+                      values.*member = numbers[static_cast<std::size_t>(settings.get(name))];
+                    });
     for (const int number : numbers) row.description.choices.push_back(std::to_string(number));
     return row;
   }
@@ -124,26 +124,22 @@ class SettingTable {
   }
 
  private:
+  using Resolve = std::function<void(Struct&, const Settings&)>;
+
   template <class Value>
-  Row& addNumber(SettingKind kind, const char* name, Value Struct::*member, Value byDefault,
+  Row& addNumber(const char* name, SettingKind kind, Value Struct::*member, Value byDefault,
                  const SettingRange& range, const char* description, const char* source) {
-    const auto resolve = [name, member](Struct& values, const Settings& settings) {
-      values.*member = static_cast<Value>(settings.get(name));
-    };
-    return push({name,
-                 kind,
-                 static_cast<double>(byDefault),
-                 range.minimum,
-                 range.maximum,
-                 range.unit,
-                 description,
-                 source,
-                 {}},
-                resolve);
+    return push(name, kind, static_cast<double>(byDefault), range, description, source,
+                [name, member](Struct& values, const Settings& settings) {
+                  values.*member = static_cast<Value>(settings.get(name));
+                });
   }
 
-  Row& push(SettingDescription description, std::function<void(Struct&, const Settings&)> resolve) {
-    m_rows.push_back({std::move(description), std::move(resolve)});
+  Row& push(const char* name, SettingKind kind, double byDefault, const SettingRange& range,
+            const char* description, const char* source, Resolve resolve) {
+    SettingDescription all = {name,        kind,   byDefault, range.minimum, range.maximum, range.unit,
+                              description, source, {}};
+    m_rows.push_back({std::move(all), std::move(resolve)});
     return m_rows.back();
   }
 

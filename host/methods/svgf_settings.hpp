@@ -46,6 +46,4 @@ inline SettingTable<SvgfSettings> svgfSettings() {
   return table;
 }
 
-inline RuntimeSettings runtimeSettings(const SvgfSettings& s) { return runtimeSettings(s.common); }
-
 }  // namespace quell
