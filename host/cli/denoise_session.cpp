@@ -16,31 +16,17 @@ constexpr int kOutputChannels = 3;
 
 // One input image on the device.
 struct InputImage {
-  const io::Image io::FrameData::*source;
+  io::Image io::FrameData::*source;
   ImageView Frame::*view;
 };
 
-constexpr InputImage kInputs[] = {
-    {&io::FrameData::radiance, &Frame::radiance},
-    {&io::FrameData::glossyRadiance, &Frame::glossyRadiance},
-    {&io::FrameData::normalWorld, &Frame::normalWorld},
-    {&io::FrameData::positionWorld, &Frame::positionWorld},
-    {&io::FrameData::albedo, &Frame::albedo},
-    {&io::FrameData::glossColor, &Frame::glossColor},
-    {&io::FrameData::emission, &Frame::emission},
-    {&io::FrameData::roughness, &Frame::roughness},
-    {&io::FrameData::f0, &Frame::f0},
-};
-
-constexpr InputImage kMotionInputs[] = {
-    {&io::FrameData::motion, &Frame::motion},
-    {&io::FrameData::objectId, &Frame::objectId},
-};
-
 std::vector<InputImage> usedInputs(MotionUse motion) {
-  std::vector<InputImage> inputs(std::begin(kInputs), std::end(kInputs));
-  if (motion == MotionUse::WherePresent)
-    inputs.insert(inputs.end(), std::begin(kMotionInputs), std::end(kMotionInputs));
+  std::vector<InputImage> inputs;
+  for (std::size_t i = 0; i < std::size(kInputs<Frame>); ++i) {
+    const auto source = kInputs<io::FrameData>[i].member;
+    const bool isMotion = source == &io::FrameData::motion || source == &io::FrameData::objectId;
+    if (motion == MotionUse::WherePresent || !isMotion) inputs.push_back({source, kInputs<Frame>[i].member});
+  }
   return inputs;
 }
 

@@ -4,7 +4,7 @@
 #include <quell/quell.hpp>
 #include <vector>
 
-#include "host/core/frame_images.hpp"
+#include "host/core/image_schema.hpp"
 #include "host/core/kernel_list.hpp"
 
 namespace quell::cli {
@@ -24,8 +24,8 @@ ImageView imageOf(int channels, ComponentFormat format) {
 Frame fullFrame(ComponentFormat format, int mostChannels, int signals) {
   Frame frame;
   frame.size = kSize;
-  for (const FrameImage& image : kFrameImages)
-    frame.*image.view = imageOf(std::min(image.mostChannels, mostChannels), format);
+  for (const auto& image : kInputs<Frame>)
+    frame.*image.member = imageOf(std::min(image.mostChannels, mostChannels), format);
   frame.viewDepth = {};
   if (signals == 1) frame.glossyRadiance = {};
   return frame;
@@ -34,8 +34,8 @@ Frame fullFrame(ComponentFormat format, int mostChannels, int signals) {
 Frame leastFrame() {
   Frame frame;
   frame.size = kSize;
-  frame.radiance = imageOf(3, ComponentFormat::Float32);
-  frame.normalWorld = imageOf(3, ComponentFormat::Float32);
+  for (const auto& image : kInputs<Frame>)
+    if (image.required()) frame.*image.member = imageOf(3, ComponentFormat::Float32);
   frame.viewDepth = imageOf(1, ComponentFormat::Float32);
   return frame;
 }

@@ -8,6 +8,7 @@
 #include "host/core/f_beta_table.hpp"
 #include "host/core/frame_images.hpp"
 #include "host/core/frame_timer.hpp"
+#include "host/core/image_schema.hpp"
 #include "host/core/reprojection.hpp"
 #include "host/core/schedule.hpp"
 #include "host/core/stage.hpp"
@@ -145,9 +146,8 @@ class WarmUpImages {
   WarmUpImages(const cl::Context& context, const cl::CommandQueue& queue, const Frame& layout,
                const Output& outputLayout)
       : frame(layout), output(outputLayout) {
-    for (const FrameImage& image : kFrameImages) provide(context, queue, frame.*image.view);
-    provide(context, queue, output.linear);
-    provide(context, queue, output.display);
+    for (const auto& image : kInputs<Frame>) provide(context, queue, frame.*image.member);
+    for (const auto& image : kOutputs<Output>) provide(context, queue, output.*image.member);
     // Any camera will do; this one looks along -z.
     frame.camera.worldToClip = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0};
     frame.camera.worldToClipPrev = frame.camera.worldToClip;

@@ -11,30 +11,6 @@
 
 namespace quell {
 
-/// One input image of the contract.
-struct FrameImage {
-  const char* name;
-  ImageView Frame::*view;
-  int leastChannels;
-  int mostChannels;
-  bool identifiers = false;  ///< compared, not computed with: UInt32 as well
-};
-/// All of them. A new one is added here; validation, warm-up and tests follow.
-constexpr FrameImage kFrameImages[] = {
-    {"radiance", &Frame::radiance, 1, 4},
-    {"glossyRadiance", &Frame::glossyRadiance, 1, 4},
-    {"normalWorld", &Frame::normalWorld, 3, 4},
-    {"positionWorld", &Frame::positionWorld, 3, 4},
-    {"viewDepth", &Frame::viewDepth, 1, 1},
-    {"albedo", &Frame::albedo, 1, 4},
-    {"glossColor", &Frame::glossColor, 1, 4},
-    {"roughness", &Frame::roughness, 1, 1},
-    {"f0", &Frame::f0, 1, 4},
-    {"emission", &Frame::emission, 1, 4},
-    {"motion", &Frame::motion, 2, 4},
-    {"objectId", &Frame::objectId, 1, 1, true},
-};
-
 /// Signals that are filtered: 2 where the caller gives glossy radiance apart, else 1.
 inline int signalCount(const Frame& frame) { return frame.glossyRadiance.present() ? 2 : 1; }
 

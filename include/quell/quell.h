@@ -14,6 +14,7 @@
 #define QUELL_QUELL_H
 
 #include <CL/cl.h>
+#include <quell/frame_images.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -188,33 +189,23 @@ typedef struct quell_camera {
 } quell_camera;
 
 /* Inputs of one frame, read until the event of quellDenoise has completed. What the images hold (units, ranges, NaN)
- * is said at quell::Frame in frame.hpp. */
+ * is said in frame_images.h. */
+#define QUELL_VIEW(name, NAME, least, most, kind, presence, files, texts) quell_image_view name;
 typedef struct quell_frame {
   size_t structSize;
   int width; /* pixels */
   int height;
   quell_camera camera;
   int demodulated; /* 1: light is divided by albedo and gloss colour already */
-  quell_image_view radiance;
-  quell_image_view glossyRadiance; /* optional: a second signal */
-  quell_image_view normalWorld;
-  quell_image_view positionWorld; /* this or viewDepth */
-  quell_image_view viewDepth;
-  quell_image_view albedo; /* this and all below are optional */
-  quell_image_view glossColor;
-  quell_image_view roughness;
-  quell_image_view f0;
-  quell_image_view emission;
-  quell_image_view motion;   /* previous pixel minus this pixel, pixels, x right, y down, without jitter */
-  quell_image_view objectId; /* any number; compared bit by bit */
+  QUELL_FRAME_IMAGES(QUELL_VIEW)
 } quell_frame;
 
 /* Outputs of one frame, either or both. */
 typedef struct quell_output {
   size_t structSize;
-  quell_image_view linear;  /* linear radiance before tone map and TAA, 0 to 65504 */
-  quell_image_view display; /* display-encoded (gamma 2.2) after TAA, 0 to 1 */
+  QUELL_OUTPUT_IMAGES(QUELL_VIEW)
 } quell_output;
+#undef QUELL_VIEW
 
 /* A packed image at the start of a buffer; `memory` may be NULL for quellPrepare. */
 static inline quell_image_view quellPackedImage(cl_mem memory, int channels, quell_component_format format) {

@@ -42,18 +42,8 @@ quell_frame toC(const Frame& frame) {
   std::memcpy(result.camera.jitterPx, frame.camera.jitterPx.data(), sizeof(result.camera.jitterPx));
   std::memcpy(result.camera.jitterPxPrev, frame.camera.jitterPxPrev.data(),
               sizeof(result.camera.jitterPxPrev));
-  result.radiance = toC(frame.radiance);
-  result.glossyRadiance = toC(frame.glossyRadiance);
-  result.normalWorld = toC(frame.normalWorld);
-  result.positionWorld = toC(frame.positionWorld);
-  result.viewDepth = toC(frame.viewDepth);
-  result.albedo = toC(frame.albedo);
-  result.glossColor = toC(frame.glossColor);
-  result.roughness = toC(frame.roughness);
-  result.f0 = toC(frame.f0);
-  result.emission = toC(frame.emission);
-  result.motion = toC(frame.motion);
-  result.objectId = toC(frame.objectId);
+  forEachInput(frame, result,
+               [](const ImageFacts&, const ImageView& view, quell_image_view& given) { given = toC(view); });
   return result;
 }
 

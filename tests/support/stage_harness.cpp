@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "host/core/frame_images.hpp"
+#include "host/core/image_schema.hpp"
 #include "host/methods/method.hpp"
 #include "tests/support/f_beta_texels.hpp"
 #include "tests/support/image_layout.hpp"
@@ -65,12 +66,6 @@ TestDevice openDevice() {
   const cl::Device device(info.device, true);
   const cl::Context context(device);
   return {device, context, cl::CommandQueue(context, device, CL_QUEUE_PROFILING_ENABLE), ProgramCache("")};
-}
-
-std::string imageName(const ImageView Frame::*image) {
-  for (const FrameImage& known : kFrameImages)
-    if (known.view == image) return known.name;
-  throw std::logic_error("not an image of a frame");
 }
 
 std::string imageName(const ImageView Output::*image) {
@@ -205,7 +200,7 @@ void StageHarness::setInput(ImageView Frame::*image, const io::Image& pixels) {
   std::vector<unsigned char> bytes = encodeImage(pixels, view, size());
   const cl::Buffer buffer(device.context, CL_MEM_READ_ONLY, bytes.size());
   device.queue.enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes.size(), bytes.data());
-  m_images[imageName(image)] = buffer;
+  m_images[factsOf(image).name] = buffer;
   view.memory = buffer();
 }
 
