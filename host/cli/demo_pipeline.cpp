@@ -14,20 +14,19 @@ constexpr int kOutputChannels = 3;
 Frame frameOf(const render::TracedImages& traced, const DemoSetup& setup) {
   Frame frame;
   frame.size = setup.size;
-  frame.normalWorld = packedImage(traced.normal(), 3);
-  frame.positionWorld = packedImage(traced.position(), 3);
-  frame.albedo = packedImage(traced.albedo(), 3);
-  frame.glossColor = packedImage(traced.glossColor(), 3);
-  frame.roughness = packedImage(traced.roughness(), 1);
-  frame.f0 = packedImage(traced.f0(), 3);
-  frame.emission = packedImage(traced.emission(), 3);
-  if (setup.motion) {
-    frame.motion = packedImage(traced.motion(), 2);
-    frame.objectId = packedImage(traced.objectId(), 1, ComponentFormat::UInt32);
-  }
+  forEachInput(traced, frame, [](const ImageFacts& facts, const cl::Buffer& buffer, ImageView& view) {
+    const bool ids = facts.files.samples == FileSamples::UINT;
+    if (buffer() != nullptr)
+      view = packedImage(buffer(), facts.fileChannels(),
+                         ids ? ComponentFormat::UInt32 : ComponentFormat::Float32);
+  });
+  if (!setup.motion) frame.motion = frame.objectId = {};
   frame.demodulated = setup.signals == 2;
-  frame.radiance = packedImage(frame.demodulated ? traced.diffuse() : traced.color(), 3);
-  if (frame.demodulated) frame.glossyRadiance = packedImage(traced.glossy(), 3);
+  if (frame.demodulated) {
+    frame.radiance.memory = traced.diffuse();
+  } else {
+    frame.glossyRadiance = {};
+  }
   return frame;
 }
 
@@ -62,7 +61,7 @@ class DemoPipeline::Implementation {
     m_denoiser.denoise(m_frame, m_output);
   }
 
-  DemoPictures read() { return {read(m_tracer.images().color), {read(m_linear), read(m_display)}}; }
+  DemoPictures read() { return {read(m_tracer.images().radiance), {read(m_linear), read(m_display)}}; }
 
   io::Reference reference(int frame, int samples) {
     // Apart from the tracer whose images the denoiser reads, and whose times are reported.
@@ -88,7 +87,7 @@ class DemoPipeline::Implementation {
   io::Image traceHalf(int frame, char half, int samples) {
     m_referenceTracer->traceLight(render::mixSeed(m_setup.seed, frame, render::referenceStream(half)),
                                   samples);
-    return read(m_referenceTracer->images().color);
+    return read(m_referenceTracer->images().radiance);
   }
 
   io::Image read(const cl::Buffer& buffer) {

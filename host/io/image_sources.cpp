@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host/io/exr_image.hpp"
+
 namespace quell::io {
 
 std::vector<ImageSource> imageSources(int signals) {
@@ -27,6 +29,13 @@ std::vector<ImageSource> imageSources(int signals) {
     std::rotate(sources.begin(), sources.begin() + 1, sources.end());
   }
   return sources;
+}
+
+void writeImage(const std::string& path, const Image& image, const ImageFiles& files) {
+  writeExr(path, image,
+           files.samples == FileSamples::HALF    ? ExrType::Half
+           : files.samples == FileSamples::FLOAT ? ExrType::Float
+                                                 : ExrType::Uint);
 }
 
 }  // namespace quell::io

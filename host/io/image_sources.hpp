@@ -1,6 +1,7 @@
 // Where the images of a frame come from in files, by the schema of images.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "host/io/frame_sequence.hpp"
@@ -18,5 +19,8 @@ struct ImageSource {
 /// is required and `combined` is the light as a whole; with one, there is no glossyRadiance. Positions are required,
 /// view depth in place of them is not among these. The light as a whole comes last.
 std::vector<ImageSource> imageSources(int signals);
+
+/// Writes an image with the samples that its files have. Throws Error(FileError).
+void writeImage(const std::string& path, const Image& image, const ImageFiles& files);
 
 }  // namespace quell::io
