@@ -78,7 +78,7 @@
      History of another object is discarded. */                                                                        \
   IMAGE(objectId, OBJECTID, 1, 1, IDENTIFIERS, OPTIONAL,                                                               \
         ("object_id", "Y", UINT, "IndexOB", "X"),                                                                      \
-        ("one object", "any number, compared bit by bit", "any", "a number like others"))
+        ("one object", "any number, 32-bit unsigned too, compared bit by bit", "any", "a number like others"))
 
 /* What the denoiser hands back; at least one of them. */
 #define QUELL_OUTPUT_IMAGES(IMAGE)                                                                                     \
