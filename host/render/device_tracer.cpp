@@ -45,7 +45,6 @@ DeviceTracer::DeviceTracer(const cl::Context& context, const cl::Device& device,
   for (const auto& image : kInputs<TracedImages>)
     if (image.hasFiles()) m_images.*image.member = makeBuffer(image.fileChannels());
   m_images.diffuse = makeBuffer(3);
-  m_images.hitDistance = makeBuffer(1);
   m_hits = makeBuffer(2);
   if (timed) startTimer();
 }

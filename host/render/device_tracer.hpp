@@ -23,7 +23,6 @@ struct TracedImages {
   QUELL_FRAME_IMAGES(QUELL_BUFFER)
 #undef QUELL_BUFFER
   cl::Buffer diffuse;  ///< 3 channels: radiance = albedo * diffuse + glossColor * glossyRadiance + emission
-  cl::Buffer hitDistance;
 };
 
 /// Which of the two estimates of direct light counts; one alone is for tests.

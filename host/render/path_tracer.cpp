@@ -14,7 +14,8 @@ namespace {
 constexpr char kStage[] = "render";
 
 bool isLight(cl::Buffer TracedImages::*image) {
-  return image == &TracedImages::radiance || image == &TracedImages::glossyRadiance;
+  return image == &TracedImages::radiance || image == &TracedImages::glossyRadiance ||
+         image == &TracedImages::hitDistance;
 }
 
 // PCG hash, as in kernels/common/random.h.

@@ -22,7 +22,6 @@ using nlohmann::json;
 
 constexpr char kStage[] = "render";
 constexpr char kSettingsFile[] = "render.json";
-constexpr char kHitDistance[] = "hit_distance";
 /// Grows when the same settings no longer give the same pixels.
 constexpr int kRendererVersion = 1;
 
@@ -56,6 +55,7 @@ io::FrameData withLight(const Features& features, const Light& light) {
   io::FrameData data = features;
   data.radiance = light.diffuse;
   data.glossyRadiance = light.glossy;
+  data.hitDistance = light.hitDistance;
   data.combined = composeColor(features, light);
   return data;
 }
@@ -143,8 +143,7 @@ bool SequenceWriter::isWhole(const std::string& stem, int frame) const {
 
 bool SequenceWriter::hasFrame(int frame) const {
   const auto images = frameImages();
-  return isWhole(kHitDistance, frame) &&
-         std::all_of(images.begin(), images.end(),
+  return std::all_of(images.begin(), images.end(),
                      [&](const io::ImageSource& image) { return isWhole(image.files.stem, frame); });
 }
 
@@ -156,7 +155,6 @@ bool SequenceWriter::hasReference(int frame, char half) const {
 }
 
 void SequenceWriter::writeFrame(int frame, const Features& features, const Light& light) const {
-  io::writeExr(path(kHitDistance, frame), light.hitDistance);
   const io::FrameData data = withLight(features, light);
   for (const io::ImageSource& image : frameImages())
     io::writeImage(path(image.files.stem, frame), data.*image.image, image.files);

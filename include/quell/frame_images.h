@@ -78,7 +78,12 @@
      History of another object is discarded. */                                                                        \
   IMAGE(objectId, OBJECTID, 1, 1, IDENTIFIERS, OPTIONAL,                                                               \
         ("object_id", "Y", UINT, "IndexOB", "X"),                                                                      \
-        ("one object", "any number, 32-bit unsigned too, compared bit by bit", "any", "a number like others"))
+        ("one object", "any number, 32-bit unsigned too, compared bit by bit", "any", "a number like others"))         \
+  /* How far the ray of the glossy signal went from the surface to what it hit; what is not above 0 counts as not known.
+     Carried, but not read yet. */                                                                                     \
+  IMAGE(hitDistance, HITDISTANCE, 1, 1, VALUES, OPTIONAL,                                                              \
+        ("hit_distance", "Y", HALF, "", "X"),                                                                          \
+        ("not looked at", "scene units, of the glossy ray", "above 0", "counts as not known"))
 
 /* What the denoiser hands back; at least one of them. */
 #define QUELL_OUTPUT_IMAGES(IMAGE)                                                                                     \

@@ -41,6 +41,7 @@ TEST_CASE("images of the C API stay where they are", "[core][c]") {
   CHECK(offsetof(quell_frame, emission) == kFirst + 9 * kView);
   CHECK(offsetof(quell_frame, motion) == kFirst + 10 * kView);
   CHECK(offsetof(quell_frame, objectId) == kFirst + 11 * kView);
+  CHECK(offsetof(quell_frame, hitDistance) == kFirst + 12 * kView);
   CHECK(offsetof(quell_output, display) == offsetof(quell_output, linear) + kView);
 }
 
