@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "host/cli/bench_compare.hpp"
-#include "host/cli/bench_plan.hpp"
-#include "host/cli/bench_roofline.hpp"
-#include "host/cli/bench_sweeps.hpp"
+#include "host/cli/bench/compare.hpp"
+#include "host/cli/bench/roofline.hpp"
+#include "host/cli/bench/sweeps.hpp"
+#include "host/cli/common/run_plan.hpp"
 #include "host/cli/run_tool.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/exr_image.hpp"

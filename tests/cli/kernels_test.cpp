@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "host/cli/kernel_variants.hpp"
+#include "host/cli/kernels/variants.hpp"
 #include "host/cli/run_tool.hpp"
 #include "host/io/atomic_file.hpp"
 #include "quell/quell.hpp"

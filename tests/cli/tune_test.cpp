@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "host/cli/pareto_set.hpp"
+#include "host/cli/common/text_table.hpp"
 #include "host/cli/run_tool.hpp"
-#include "host/cli/text_table.hpp"
-#include "host/cli/tune_plan.hpp"
-#include "host/cli/tune_result.hpp"
+#include "host/cli/tune/pareto_set.hpp"
+#include "host/cli/tune/plan.hpp"
+#include "host/cli/tune/result.hpp"
 #include "host/io/atomic_file.hpp"
 #include "tests/support/temporary_directory.hpp"
 

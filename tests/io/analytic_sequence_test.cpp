@@ -1,7 +1,5 @@
 // The built-in sequence keeps the buffer contract, repeats itself exactly, and its noise averages to its
 // reference.
-#include "host/io/analytic_sequence.hpp"
-
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -9,6 +7,8 @@
 #include <limits>
 #include <quell/error.hpp>
 #include <vector>
+
+#include "host/analytic/sequence.hpp"
 
 using quell::Error;
 using quell::ErrorCode;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "host/io/analytic_sequence.hpp"
+#include "host/analytic/sequence.hpp"
 #include "host/io/frame_sequence.hpp"
 #include "host/metrics/report.hpp"
 #include "tests/pipelines/signal_images.hpp"

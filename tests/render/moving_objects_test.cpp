@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "host/cli/denoise_session.hpp"
+#include "host/cli/common/denoise_session.hpp"
 #include "host/metrics/display_encoding.hpp"
 #include "host/render/pinhole_camera.hpp"
 #include "host/render/scene_registry.hpp"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "host/analytic/sequence.hpp"
 #include "host/core/opencl.hpp"
-#include "host/io/analytic_sequence.hpp"
 #include "tests/support/image_layout.hpp"
 #include "tests/support/temporary_directory.hpp"
 

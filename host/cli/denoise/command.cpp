@@ -1,0 +1,180 @@
+// quell denoise: a sequence in, denoised frames, times and errors out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <quell/quell.hpp>
+#include <string>
+#include <vector>
+
+#include "host/analytic/sequence.hpp"
+#include "host/cli/common/command_arguments.hpp"
+#include "host/cli/common/commands.hpp"
+#include "host/cli/common/denoise_report.hpp"
+#include "host/cli/common/denoise_session.hpp"
+#include "host/cli/common/output_files.hpp"
+#include "host/cli/common/progress.hpp"
+#include "host/io/atomic_file.hpp"
+#include "host/io/frame_sequence.hpp"
+#include "host/measure/copy_bandwidth.hpp"
+
+namespace quell::cli {
+namespace {
+
+constexpr char kCommand[] = "denoise";
+
+struct DenoiseOptions {
+  MethodArguments method;
+  std::string input;
+  std::string output;
+  std::string frames;
+  std::string size = "1280x720";
+  std::string timers = "device";
+  std::string motion = "auto";
+  std::string json;
+  DeviceArguments device;
+  int analyticFrames = 16;
+  int signals = 1;
+  double skyShare = 0.0;
+  bool stillCamera = false;
+  bool debugTiles = false;
+  bool png = false;
+  bool exr = false;
+  bool copyBandwidth = false;
+};
+
+std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
+  if (!options.input.empty()) return io::openSequence(options.input, options.signals);
+  if (options.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
+  const Size size = parseSize(kCommand, options.size);
+  io::AnalyticOptions analytic;
+  analytic.width = size.width;
+  analytic.height = size.height;
+  analytic.frameCount = options.analyticFrames;
+  analytic.skyShare = options.skyShare;
+  analytic.movingCamera = !options.stillCamera;
+  return io::makeAnalyticSequence(analytic);
+}
+
+std::vector<int> chooseFrames(const DenoiseOptions& options, const io::FrameSequence& sequence) {
+  std::vector<int> frames = sequence.frames();
+  if (options.frames.empty()) return frames;
+  const auto [first, last] = parsePair(kCommand, "--frames", options.frames, '-', "a range such as 0-15");
+  const std::string present = fmt::format("a range within {}-{}", frames.front(), frames.back());
+  if (first > last || first < frames.front() || last > frames.back())
+    refuse(kCommand, "--frames", present, options.frames);
+  frames.erase(
+      std::remove_if(frames.begin(), frames.end(), [a = first, b = last](int f) { return f < a || f > b; }),
+      frames.end());
+  return frames;
+}
+
+TimerMode timerMode(const std::string& name) {
+  if (name == "off") return TimerMode::Off;
+  return name == "host" ? TimerMode::Host : TimerMode::Device;
+}
+
+void runDenoise(const DenoiseOptions& options) {
+  const std::unique_ptr<io::FrameSequence> sequence = openInput(options);
+  const std::vector<int> frames = chooseFrames(options, *sequence);
+  const Settings settings =
+      applyMethodArguments(kCommand, options.method, defaultSettings(options.method.method, *sequence));
+  std::unique_ptr<OutputFiles> files;
+  if (options.debugTiles && options.output.empty())
+    refuse(kCommand, "--debug tiles", "--output as well", "none");
+  if (!options.output.empty())
+    files = std::make_unique<OutputFiles>(options.output,
+                                          OutputFormats{options.png || !options.exr, options.exr});
+
+  io::FrameData frame = sequence->read(frames.front());
+  const Options deviceOptions = makeOptions(options.device, timerMode(options.timers));
+  const MotionUse motion = options.motion == "off" ? MotionUse::Never : MotionUse::WherePresent;
+  DenoiseSession session(options.device.device, settings, deviceOptions, frame, motion);
+  DenoiseReport report;
+  report.device = session.device();
+  report.settings = settings;
+  report.size = {sequence->width(), sequence->height()};
+  OutputHash hash;
+  metrics::MotionCompensatedErrorMeter flicker;
+  Progress progress("denoise", frames.size());
+  for (const int number : frames) {
+    if (number != frame.number) frame = sequence->read(number);
+    const DenoisedFrame denoised = session.denoise(frame);
+    hash.add(denoised.linear);
+    hash.add(denoised.display);
+    flicker.add(trackFrame(frame, denoised));
+    if (files) files->write(number, denoised);
+    if (options.debugTiles) files->writeTiles(number, denoised, session.denoiser().backgroundMap());
+    if (const auto reference = sequence->reference(number)) {
+      if (frame.comparable()) report.errors.push_back(compareFrame(frame, denoised, *reference));
+      if (files) files->writeComparison(frame, denoised, *reference);
+    }
+    ++report.frames;
+    progress.step(fmt::format("frame {}", number));
+  }
+
+  report.memory = session.denoiser().memoryUse();
+  report.outputHash = hash.text();
+  report.temporalError = flicker.mean();
+  if (options.timers != "off") report.timings = session.timings();
+  if (options.copyBandwidth) {
+    const CopyBandwidth copy = measureCopyBandwidth(session.context(), session.deviceId(), session.queue());
+    report.copyMs = copy.copyMs;
+    report.copyGbs = copy.gigabytesPerSecond;
+  }
+  if (!options.json.empty()) io::writeTextFile(options.json, toJson(report).dump(2) + "\n");
+  print(report);
+  if (files) fmt::print("\npictures and frames are in {}\n", options.output);
+}
+
+}  // namespace
+
+void addDenoiseCommand(CLI::App& app) {
+  auto options = std::make_shared<DenoiseOptions>();
+  CLI::App* command = app.add_subcommand("denoise", "Denoise a frame sequence and report time and error");
+  addMethodArguments(*command, options->method);
+  command->add_option(
+      "--input", options->input,
+      "Directory with a sequence (see data/README.md), or a multilayer OpenEXR file as Blender's Cycles "
+      "writes it, "
+      "or a directory of these; without it a built-in sequence is made up. Multilayer files need the passes "
+      "Combined and Normal, and both of Position and Depth, or one of them and camera.json");
+  command->add_option("--output", options->output,
+                      "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
+  command->add_option("--frames", options->frames, "Frames A-B; default: all");
+  command->add_option("--size", options->size, "Size of the built-in sequence")->capture_default_str();
+  command->add_option("--frame-count", options->analyticFrames, "Length of the built-in sequence")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--sky-share", options->skyShare, "Share of the built-in sequence's rows that show sky")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_flag("--still-camera", options->stillCamera,
+                    "The camera of the built-in sequence stands still");
+  command->add_option("--signals", options->signals, "1, or 2: diffuse and glossy light side by side")
+      ->check(CLI::Range(1, 2))
+      ->capture_default_str();
+  command
+      ->add_option("--motion", options->motion,
+                   "Motion vectors and object ids: auto, used where the sequence has them, or off")
+      ->check(CLI::IsMember({"auto", "off"}))
+      ->capture_default_str();
+  command->add_option("--timers", options->timers, "Where stage times come from")
+      ->check(CLI::IsMember({"device", "host", "off"}))
+      ->capture_default_str();
+  addDeviceArguments(*command, options->device);
+  command->add_option("--json", options->json, "File for the report as JSON");
+  command
+      ->add_option_function<std::string>(
+          "--debug", [options](const std::string&) { options->debugTiles = true; },
+          "tiles: write tiles_NNNN.png, darkened where background is left out")
+      ->check(CLI::IsMember({"tiles"}));
+  command->add_flag("--png", options->png, "Write display images as PNG (the default)");
+  command->add_flag("--exr", options->exr, "Write display images as OpenEXR");
+  command->add_flag("--copy-bandwidth", options->copyBandwidth,
+                    "Also measure the device's copy bandwidth and report times in copies");
+  command->footer(settingsHelp("--set"));
+  command->callback([options] { runDenoise(*options); });
+}
+
+}  // namespace quell::cli
