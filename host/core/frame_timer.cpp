@@ -6,6 +6,8 @@
 #include <memory>
 #include <numeric>
 
+#include "host/core/median.hpp"
+
 namespace quell {
 namespace {
 
@@ -43,14 +45,12 @@ TimeStatistics summarise(std::vector<double> samplesMs) {
   TimeStatistics result;
   result.count = samplesMs.size();
   if (samplesMs.empty()) return result;
-  std::sort(samplesMs.begin(), samplesMs.end());
-  const std::size_t middle = samplesMs.size() / 2;
-  result.medianMs =
-      samplesMs.size() % 2 == 1 ? samplesMs[middle] : 0.5 * (samplesMs[middle - 1] + samplesMs[middle]);
+  result.medianMs = median(samplesMs);
   result.meanMs =
       std::accumulate(samplesMs.begin(), samplesMs.end(), 0.0) / static_cast<double>(samplesMs.size());
-  result.minMs = samplesMs.front();
-  result.maxMs = samplesMs.back();
+  const auto [least, most] = std::minmax_element(samplesMs.begin(), samplesMs.end());
+  result.minMs = *least;
+  result.maxMs = *most;
   return result;
 }
 

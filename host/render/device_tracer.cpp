@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/core/program_cache.hpp"
+#include "host/core/round_up.hpp"
 #include "host/render/kernel_sources.hpp"
 #include "host/render/scene_arrays.hpp"
 
@@ -29,9 +30,8 @@ Size checked(Size size) {
   return size;
 }
 
-std::size_t roundUp(int pixels) {
-  return (static_cast<std::size_t>(pixels) + kGroupEdge - 1) / kGroupEdge * kGroupEdge;
-}
+// A whole number of work-groups.
+std::size_t covering(int pixels) { return roundUp(static_cast<std::size_t>(pixels), kGroupEdge); }
 
 }  // namespace
 
@@ -134,7 +134,7 @@ void DeviceTracer::launch(std::size_t stage, cl::Kernel& kernel, const Arguments
   (kernel.setArg(index++, arguments), ...);
   cl::Event event;
   m_queue.enqueueNDRangeKernel(kernel, cl::NullRange,
-                               cl::NDRange(roundUp(m_size.width), roundUp(m_size.height)),
+                               cl::NDRange(covering(m_size.width), covering(m_size.height)),
                                cl::NDRange(kGroupEdge, kGroupEdge), nullptr, m_timer ? &event : nullptr);
   if (m_timer) m_timer->add(stage, event);
 }

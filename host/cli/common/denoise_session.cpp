@@ -167,10 +167,7 @@ cl_context DenoiseSession::context() const { return m_implementation->m_context(
 cl_device_id DenoiseSession::deviceId() const { return m_implementation->m_device(); }
 cl_command_queue DenoiseSession::queue() const { return m_implementation->m_queue(); }
 
-void OutputHash::add(const io::Image& image) {
-  const auto* bytes = reinterpret_cast<const unsigned char*>(image.pixels.data());
-  for (std::size_t i = 0; i < bytesOf(image); ++i) m_hash = (m_hash ^ bytes[i]) * 0x100000001b3ull;
-}
+void OutputHash::add(const io::Image& image) { m_hash = fnv1a(image.pixels.data(), bytesOf(image), m_hash); }
 
 std::string OutputHash::text() const { return fmt::format("{:016x}", m_hash); }
 

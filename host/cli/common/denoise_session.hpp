@@ -6,6 +6,7 @@
 #include <quell/quell.hpp>
 #include <string>
 
+#include "host/core/fnv1a.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::cli {
@@ -55,7 +56,7 @@ class OutputHash {
   std::string text() const;  ///< 16 hexadecimal digits
 
  private:
-  std::uint64_t m_hash = 0xcbf29ce484222325ull;
+  std::uint64_t m_hash = kFnv1aStart;
 };
 
 }  // namespace quell::cli
