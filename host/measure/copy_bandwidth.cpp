@@ -1,7 +1,6 @@
 #include "host/measure/copy_bandwidth.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "host/core/cl_error.hpp"
 #include "host/measure/timed_run.hpp"
@@ -19,7 +18,7 @@ constexpr std::size_t kVectorBytes = 16;
 // Work-items of a group: coalesced on GPUs, and a loop long enough to vectorise on CPUs.
 constexpr std::size_t kWorkGroup = 256;
 constexpr int kWarmUps = 3;
-constexpr std::size_t kRuns = 30;
+constexpr int kRuns = 30;
 
 // A multiple of the work-group's bytes that the device can allocate twice.
 std::size_t bufferBytes(const cl::Device& device) {
@@ -45,11 +44,8 @@ CopyBandwidth measure(const cl::Context& context, const cl::Device& device, cons
   kernel.setArg(1, to);
   const std::size_t group = std::min(kWorkGroup, kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device));
   const std::size_t items = bytes / kVectorBytes / group * group;
-  for (int i = 0; i < kWarmUps; ++i) timedRun(queue, kernel, items, group);
-  std::array<double, kRuns> seconds;
-  for (double& run : seconds) run = timedRun(queue, kernel, items, group);
-  std::nth_element(seconds.begin(), seconds.begin() + kRuns / 2, seconds.end());
-  const double bytesPerSecond = 2.0 * double(items * kVectorBytes) / seconds[kRuns / 2];
+  const double seconds = medianSeconds(queue, kernel, items, group, {kWarmUps, kRuns});
+  const double bytesPerSecond = 2.0 * double(items * kVectorBytes) / seconds;
   return {bytesPerSecond * 1e-9, kCopyBytes / bytesPerSecond * 1e3};
 }
 
@@ -59,6 +55,14 @@ CopyBandwidth measureCopyBandwidth(cl_context context, cl_device_id device, cl_c
   return withClErrors("copy bandwidth", [&] {
     return measure(cl::Context(context, true), cl::Device(device, true), cl::CommandQueue(queue, true));
   });
+}
+
+CopyBandwidth mean(const std::vector<CopyBandwidth>& measurements) {
+  CopyBandwidth result;
+  for (const CopyBandwidth& one : measurements)
+    result.copyMs += one.copyMs / static_cast<double>(measurements.size());
+  result.gigabytesPerSecond = kCopyBytes * 1e-6 / result.copyMs;
+  return result;
 }
 
 }  // namespace quell

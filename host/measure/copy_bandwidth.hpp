@@ -3,6 +3,8 @@
 
 #include <CL/cl.h>
 
+#include <vector>
+
 namespace quell {
 
 /// Bytes of one *copy*, the unit in which stage times are comparable between devices: an image of 1280x720
@@ -18,5 +20,8 @@ struct CopyBandwidth {
 /// the median of 30 runs after a warm-up. The queue needs CL_QUEUE_PROFILING_ENABLE and should be idle.
 /// Throws quell::Error.
 CopyBandwidth measureCopyBandwidth(cl_context context, cl_device_id device, cl_command_queue queue);
+
+/// Of the times of a copy; at least one measurement.
+CopyBandwidth mean(const std::vector<CopyBandwidth>& measurements);
 
 }  // namespace quell

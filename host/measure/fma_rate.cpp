@@ -1,7 +1,6 @@
 #include "host/measure/fma_rate.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "host/core/cl_error.hpp"
@@ -13,6 +12,7 @@ namespace {
 // Eight chains hide the latency of a multiply-add (4 to 6 cycles, up to two a cycle).
 constexpr int kChains = 8;
 constexpr int kRounds = 512;
+constexpr int kWarmUps = 1;
 constexpr int kRuns = 7;
 constexpr std::size_t kWorkGroup = 64;
 constexpr int kWideLanes = 16;
@@ -50,12 +50,9 @@ double measureLanes(const cl::Context& context, const cl::Device& device, const 
                        items * static_cast<std::size_t>(lanes) * sizeof(cl_float));
   kernel.setArg(0, out);
   kernel.setArg(1, 0.999f);
-  timedRun(queue, kernel, items, group);
-  std::array<double, kRuns> seconds;
-  for (double& run : seconds) run = timedRun(queue, kernel, items, group);
-  std::nth_element(seconds.begin(), seconds.begin() + kRuns / 2, seconds.end());
+  const double seconds = medianSeconds(queue, kernel, items, group, {kWarmUps, kRuns});
   const double operations = 2.0 * kChains * kRounds * lanes * double(items);
-  return operations / seconds[kRuns / 2] * 1e-9;
+  return operations / seconds * 1e-9;
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ std::string messageOf(const std::vector<std::string>& directories) {
 // Two sequences; figures of `scale` times some numbers.
 cli::EvaluatedSetting evaluated(double first, double second) {
   return {{"quell", {}},
-          {{4.0 * first, first, 0.05 * first, 0.9, 0.10 * first},
-           {9.0 * second, second, 0.02 * second, 0.8, 0.05 * second}}};
+          {{4.0 * first, first, {0.05 * first, 0.9, 0.10 * first}},
+           {9.0 * second, second, {0.02 * second, 0.8, 0.05 * second}}}};
 }
 
 cli::Evaluation twoSequences(const std::vector<cli::EvaluatedSetting>& settings) {
@@ -73,26 +73,26 @@ cli::Evaluation twoSequences(const std::vector<cli::EvaluatedSetting>& settings)
 TEST_CASE("the Pareto set holds what nothing beats in time, RMSE and FLIP at once", "[cli]") {
   CHECK(cli::paretoSet({}, 0.0).empty());
   const std::vector<cli::Costs> settings = {
-      {1.0, 1.0, 1.0},  // in it: nothing is better in all three
-      {0.5, 1.2, 1.1},  // in it: the quickest
-      {0.6, 1.2, 1.1},  // as good as the one before, but slower
-      {2.0, 0.9, 1.0},  // in it: the least RMSE
-      {2.0, 1.0, 0.9},  // in it: the least FLIP
-      {2.0, 1.1, 1.1},  // beaten by the first
-      {1.0, 1.0, 1.0},  // equal to the first
+      {1.0, {1.0, 1.0}},  // in it: nothing is better in all three
+      {0.5, {1.2, 1.1}},  // in it: the quickest
+      {0.6, {1.2, 1.1}},  // as good as the one before, but slower
+      {2.0, {0.9, 1.0}},  // in it: the least RMSE
+      {2.0, {1.0, 0.9}},  // in it: the least FLIP
+      {2.0, {1.1, 1.1}},  // beaten by the first
+      {1.0, {1.0, 1.0}},  // equal to the first
   };
   const std::vector<bool> expected = {true, true, false, true, true, false, true};
   CHECK(cli::paretoSet(settings, 0.0) == expected);
 }
 
 TEST_CASE("times within the tolerance count as equal", "[cli]") {
-  const cli::Costs worse = {1.00, 1.1, 1.0}, better = {1.01, 1.0, 1.0};
+  const cli::Costs worse = {1.00, {1.1, 1.0}}, better = {1.01, {1.0, 1.0}};
   CHECK_FALSE(cli::dominates(better, worse, 0.0));
   CHECK(cli::dominates(better, worse, 0.02));
   CHECK_FALSE(cli::dominates(worse, better, 0.02));
 
   // Of times in small steps the quickest stays, and what is within its tolerance.
-  const std::vector<cli::Costs> chain = {{1.00, 1, 1}, {1.015, 1, 1}, {1.03, 1, 1}};
+  const std::vector<cli::Costs> chain = {{1.00, {1, 1}}, {1.015, {1, 1}}, {1.03, {1, 1}}};
   CHECK(cli::paretoSet(chain, 0.02) == std::vector<bool>{true, true, false});
 }
 
@@ -103,15 +103,16 @@ TEST_CASE("tune takes geometric means relative to the defaults", "[cli]") {
   CHECK(table.settings[0].frameMs == Approx(6.0));  // of 4 and 9
   for (const auto& [setting, expected] : {std::pair{0, 1.0}, {1, std::sqrt(0.4)}, {2, 1.0}}) {
     CHECK(table.settings[static_cast<std::size_t>(setting)].relative.time == Approx(expected));
-    CHECK(table.settings[static_cast<std::size_t>(setting)].relative.rmse == Approx(expected));
-    CHECK(table.settings[static_cast<std::size_t>(setting)].relative.flip == Approx(expected));
+    const std::vector<double>& errors = table.settings[static_cast<std::size_t>(setting)].relative.errors;
+    REQUIRE(errors.size() == 2);
+    for (const double error : errors) CHECK(error == Approx(expected));
   }
   CHECK_FALSE(table.settings[0].pareto);
   CHECK(table.settings[1].pareto);
   CHECK_FALSE(table.settings[2].pareto);
 
   cli::EvaluatedSetting negative = evaluated(1.0, 1.0);
-  negative.sequences[1].rmse = -0.001;
+  negative.sequences[1].errors[0] = -0.001;
   CHECK_THROWS_WITH(cli::summarize(twoSequences({evaluated(1.0, 1.0), negative}), 0.0),
                     Catch::Contains("two") && Catch::Contains("above 0"));
 }

@@ -85,7 +85,7 @@ TEST_CASE("quell denoises the sequence in data/ better than svgf and bmfr", "[pi
   const auto errorOf = [&](const char* method) {
     const auto result = denoiseSequence(*sequence, sequence->frames(), Settings(method));
     return *metrics::compareToReference(result.frames.back().linear, false, reference->a, reference->b)
-                .unbiasedRmse;
+                .at("unbiased_rmse");
   };
   const double quell = errorOf("quell"), svgf = errorOf("svgf"), bmfr = errorOf("bmfr");
   INFO("unbiased RMSE: quell " << quell << ", svgf " << svgf << ", bmfr " << bmfr);

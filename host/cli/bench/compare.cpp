@@ -8,6 +8,7 @@
 
 #include "host/cli/common/command_arguments.hpp"
 #include "host/io/atomic_file.hpp"
+#include "host/metrics/metric_table.hpp"
 
 namespace quell::cli {
 namespace {
@@ -19,12 +20,6 @@ constexpr double kLeastErrorChange =
     0.005;  // of the figure: outputs are deterministic, so any change is real
 
 constexpr char kExpected[] = "a file written by quell bench --json";
-
-struct Figure {
-  const char* name;
-  bool higherIsBetter;
-};
-constexpr Figure kFigures[] = {{"rmse", false}, {"unbiased_rmse", false}, {"ssim", true}, {"flip", false}};
 
 struct Counts {
   int compared = 0, slower = 0, faster = 0, worse = 0, better = 0;
@@ -65,13 +60,18 @@ void compareTimes(const std::string& key, const json& before, const json& now, C
                       slower ? "slower" : "faster", key, newLeast, newMost, oldLeast, oldMost);
 }
 
-void compareFigure(const std::string& what, double before, double now, bool higherIsBetter, Counts& counts,
-                   std::string& text) {
-  if (std::abs(now - before) <= kLeastErrorChange * std::abs(before)) return;
-  const bool better = (now > before) == higherIsBetter;
+void compareFigure(const std::string& what, const metrics::Metric& metric, const json& before,
+                   const json& now, Counts& counts, std::string& text) {
+  if (!before.is_number() || !now.is_number()) return;
+  const double old = before, current = now;
+  if (std::abs(current - old) <= kLeastErrorChange * std::abs(old)) return;
+  const bool better = (current > old) == metric.higherIsBetter();
   ++(better ? counts.better : counts.worse);
-  text += fmt::format("{}: {} {:.5g}, was {:.5g}\n", better ? "better" : "worse", what, now, before);
+  text += fmt::format("{}: {} {:.5g}, was {:.5g}\n", better ? "better" : "worse", what, current, old);
 }
+
+// Null where there is none.
+json valueOf(const json& object, const char* key) { return object.value(key, json()); }
 
 void compareErrors(const std::string& key, const json& before, const json& now, Counts& counts,
                    std::string& text) {
@@ -79,16 +79,17 @@ void compareErrors(const std::string& key, const json& before, const json& now, 
   for (const json& frame : errorsOf(now)) {
     for (const json& old : errorsOf(before)) {
       if (old.at("frame") != frame.at("frame")) continue;
-      for (const Figure& figure : kFigures) {
-        const json &a = old.at("linear").at(figure.name), &b = frame.at("linear").at(figure.name);
-        if (a.is_number() && b.is_number())
-          compareFigure(fmt::format("{}, frame {}: {}", key, frame.at("frame").get<int>(), figure.name), a, b,
-                        figure.higherIsBetter, counts, text);
+      for (const metrics::Metric& metric : metrics::imageMetrics()) {
+        if (!metric.compared) continue;
+        compareFigure(fmt::format("{}, frame {}: {}", key, frame.at("frame").get<int>(), metric.key), metric,
+                      valueOf(old.at("linear"), metric.key), valueOf(frame.at("linear"), metric.key), counts,
+                      text);
       }
     }
   }
-  const json a = before.value("temporal_error", json()), b = now.value("temporal_error", json());
-  if (a.is_number() && b.is_number()) compareFigure(key + ": temporal error", a, b, false, counts, text);
+  const metrics::Metric& temporal = metrics::kTemporalError;
+  compareFigure(fmt::format("{}: {}", key, temporal.label), temporal, valueOf(before, temporal.key),
+                valueOf(now, temporal.key), counts, text);
 }
 
 std::string compareRuns(const json& before, const json& now) {

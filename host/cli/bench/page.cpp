@@ -6,6 +6,7 @@
 #include "host/cli/bench/gpu_model.hpp"
 #include "host/cli/bench/page_template.hpp"
 #include "host/cli/bench/report.hpp"
+#include "host/cli/common/figures.hpp"
 #include "host/io/base64.hpp"
 #include "host/io/png_image.hpp"
 
@@ -26,6 +27,18 @@ json picturesJson(const std::vector<BenchPicture>& pictures) {
   return list;
 }
 
+// What the page calls them and which way is better; `best` is null where it is infinite.
+json metricsJson() {
+  const auto describe = [](const metrics::Metric& metric, const char* of) {
+    return json{
+        {"key", metric.key}, {"label", metric.label}, {"best", number<json>(metric.best)}, {"of", of}};
+  };
+  json list = json::array();
+  for (const metrics::Metric& metric : metrics::imageMetrics()) list.push_back(describe(metric, "frame"));
+  list.push_back(describe(metrics::kTemporalError, "run"));
+  return list;
+}
+
 // Inside a script element, "</script" would end it.
 std::string scriptSafe(std::string text) {
   for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
@@ -38,6 +51,8 @@ std::string scriptSafe(std::string text) {
 std::string toHtml(const BenchResult& result) {
   json all = toJson(result);
   all["pictures"] = picturesJson(result.pictures);
+  all["metrics"] = metricsJson();
+  all["headline"] = metrics::headlineMetric().key;
   all["model"] = predictGpus(result);
   std::string page = kReportPage;
   const std::size_t at = page.find(kPlaceholder);

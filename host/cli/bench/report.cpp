@@ -4,9 +4,11 @@
 #include <quell/quell.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
+
+#include "host/cli/common/figures.hpp"
+#include "host/core/median.hpp"
 
 namespace quell::cli {
 namespace {
@@ -16,13 +18,24 @@ using nlohmann::json;
 constexpr double kMebibyte = 1024.0 * 1024.0;
 constexpr double kMegapixel = 1e6;
 
-constexpr char kCsvHeader[] =
-    "input,method,settings,width,height,frames,repeat,memory_bytes,kind,name,time_source,median_ms,min_ms,"
-    "max_ms,bytes,gbs,copies,copy_share,rmse,unbiased_rmse,psnr,ssim,flip,relmse,label,skipped_share,"
-    "operations,"
-    "bound_ms,sweep,temporal_error,build_cold_ms,build_cached_ms\n";
+// For a CSV cell of every metric, each after its comma.
+template <class Cell>
+std::string csvMetrics(const Cell& cell) {
+  std::string cells;
+  for (std::size_t i = 0; i < metrics::imageMetrics().size(); ++i) cells += "," + cell(i);
+  return cells;
+}
+
+std::string csvHeader() {
+  return "input,method,settings,width,height,frames,repeat,memory_bytes,kind,name,time_source,median_ms,min_"
+         "ms,"
+         "max_ms,bytes,gbs,copies,copy_share" +
+         csvMetrics([](std::size_t i) { return std::string(metrics::imageMetrics()[i].key); }) +
+         ",label,skipped_share,operations,bound_ms,sweep," + metrics::kTemporalError.key +
+         ",build_cold_ms,build_cached_ms\n";
+}
+
 constexpr char kNoTimes[] = ",,,,,,,,";
-constexpr char kNoErrors[] = ",,,,,,";
 constexpr char kNoStage[] = ",,,,";
 
 double operationsOf(const BenchRun& run, const StageTimings& stage, const BenchResult& result) {
@@ -35,17 +48,11 @@ double boundMs(const BenchRun& run, const StageTimings& stage, const BenchResult
                     result.copy.gigabytesPerSecond, result.fmaGigaflops);
 }
 
-double medianOf(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
 // Medians over the frames of each round.
 json roundMedians(const BenchRun& run) {
   json medians = json::array();
   for (const std::vector<double>& round : run.frameMs)
-    if (!round.empty()) medians.push_back(medianOf(round));
+    if (!round.empty()) medians.push_back(median(round));
   return medians;
 }
 
@@ -56,7 +63,7 @@ json frameMedians(const BenchRun& run) {
   for (std::size_t frame = 0; frame < frames; ++frame) {
     std::vector<double> rounds;
     for (const std::vector<double>& round : run.frameMs) rounds.push_back(round[frame]);
-    medians.push_back(medianOf(rounds));
+    medians.push_back(median(rounds));
   }
   return medians;
 }
@@ -117,10 +124,6 @@ std::string csvCell(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string csvNumber(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? fmt::format("{:.6g}", *value) : "";
-}
-
 // The cells from `input` to `memory_bytes`.
 std::string csvRun(const BenchRun& run, int rounds) {
   const DenoiseReport& report = run.report;
@@ -138,11 +141,8 @@ std::string csvTimes(const TimeStatistics& time, std::uint64_t bytes, TimeSource
                      gbs / copy.gigabytesPerSecond);
 }
 
-// The cells from `rmse` to `relmse`, each after its comma.
 std::string csvErrors(const metrics::ErrorFigures& figures) {
-  return fmt::format(",{},{},{},{},{},{}", csvNumber(figures.rmse), csvNumber(figures.unbiasedRmse),
-                     csvNumber(figures.psnr), csvNumber(figures.ssim), csvNumber(figures.flip),
-                     csvNumber(figures.relMse));
+  return csvMetrics([&](std::size_t i) { return csvNumber(figures.values[i]); });
 }
 
 // The cells from `label` to `bound_ms`, each after its comma.
@@ -163,12 +163,13 @@ std::string csvEnd(const BenchRun& run) {
 
 std::string csvLines(const BenchRun& run, const BenchResult& result) {
   const std::string start = csvRun(run, result.rounds), end = csvEnd(run);
+  const std::string noErrors = csvMetrics([](std::size_t) { return std::string(); });
   const Timings& timings = *run.report.timings;
   std::string lines;
   const auto addTimes = [&](const char* kind, const std::string& name, const TimeStatistics& time,
                             std::uint64_t bytes, const std::string& stage) {
     lines += fmt::format("{},{},{}{}{}{}{}\n", start, kind, name,
-                         csvTimes(time, bytes, timings.source, result.copy), kNoErrors, stage, end);
+                         csvTimes(time, bytes, timings.source, result.copy), noErrors, stage, end);
   };
   const auto addErrors = [&](const char* image, int frame, const metrics::ErrorFigures& figures) {
     lines += fmt::format("{},error,frame {} {}{}{}{}{}\n", start, frame, image, kNoTimes, csvErrors(figures),
@@ -188,11 +189,10 @@ std::string csvLines(const BenchRun& run, const BenchResult& result) {
 }
 
 std::string errorsText(const std::vector<FrameErrors>& errors) {
+  const metrics::Metric& headline = metrics::headlineMetric();
   std::string text;
-  for (const FrameErrors& frame : errors) {
-    const std::optional<double>& error = frame.linear.unbiasedRmse;
-    text += fmt::format("  {}: {}", frame.frame, error ? fmt::format("{:.4f}", *error) : "-");
-  }
+  for (const FrameErrors& frame : errors)
+    text += fmt::format("  {}: {}", frame.frame, fixed(frame.linear.at(headline.key), headline.digits, "-"));
   return text;
 }
 
@@ -210,8 +210,8 @@ void printSummaryRow(const BenchRun& run, std::size_t nameWidth) {
 void printSummary(const BenchResult& result) {
   std::size_t nameWidth = 0;
   for (const BenchRun& run : result.runs) nameWidth = std::max(nameWidth, run.plan.name().size());
-  fmt::print("\n  {:<{}}{:>10}{:>9}{:>10}{:>9}{:>9}{:>8}  unbiased RMSE per frame\n", "median times",
-             nameWidth, "stages ms", "copies", "frame ms", "ms/Mpx", "MiB", "clock");
+  fmt::print("\n  {:<{}}{:>10}{:>9}{:>10}{:>9}{:>9}{:>8}  {} per frame\n", "median times", nameWidth,
+             "stages ms", "copies", "frame ms", "ms/Mpx", "MiB", "clock", metrics::headlineMetric().label);
   const BenchRun* previous = nullptr;
   for (const BenchRun& run : result.runs) {
     const Size size = run.report.size;
@@ -274,7 +274,7 @@ json toJson(const BenchResult& result) {
 }
 
 std::string toCsv(const BenchResult& result) {
-  std::string text = kCsvHeader;
+  std::string text = csvHeader();
   for (const BenchRun& run : result.runs) text += csvLines(run, result);
   return text;
 }

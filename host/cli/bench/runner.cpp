@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "host/cli/common/denoise_session.hpp"
+#include "host/cli/common/fair_rounds.hpp"
 #include "host/cli/common/progress.hpp"
 #include "host/measure/fma_rate.hpp"
 #include "host/metrics/display_encoding.hpp"
@@ -48,7 +48,7 @@ std::vector<ActiveRun> openRuns(const std::vector<PlannedRun>& plans, const Benc
       report.memory = session->denoiser().memoryUse();
       active.push_back({{sequence.name(), plan, std::move(report)}, std::move(session), {}, {}});
     } catch (const Error& error) {
-      if (error.code() != ErrorCode::InvalidArgument && error.code() != ErrorCode::OutOfRange) throw;
+      if (!isRefusal(error)) throw;
       skipped.push_back({sequence.name(), size, plan, error.what()});
       fmt::print("skipped on {}, {}x{}: {}: {}\n", sequence.name(), size.width, size.height, plan.name(),
                  error.what());
@@ -82,24 +82,8 @@ void keepInputPictures(std::vector<BenchPicture>& pictures, const BenchInput& in
       {name, frame, "reference", metrics::encodeForDisplay(metrics::meanOfHalves(reference.a, reference.b))});
 }
 
-// Calls work(run, frame) for every run, from the run at `first` on.
-template <class Work>
-void runFrame(std::vector<ActiveRun>& active, const io::FrameData& frame, std::size_t first,
-              const Work& work) {
-  for (std::size_t turn = 0; turn < active.size(); ++turn)
-    work(active[(first + turn) % active.size()], frame);
-}
-
-// Calls work(run, frame) for every frame and run; a round starts without history.
-template <class Work>
-void runRound(std::vector<ActiveRun>& active, const BenchInput& input, std::size_t round, const Work& work) {
-  for (ActiveRun& run : active) run.session->denoiser().resetHistory();
-  for (std::size_t i = 0; i < input.frames.size(); ++i)
-    runFrame(active, input.sequence->read(input.frames[i]), round + i, work);
-}
-
-void measureErrors(ActiveRun& active, const io::FrameData& frame, const io::FrameSequence& sequence,
-                   int pictureFrame, bool wantsFlicker, std::vector<BenchPicture>& pictures) {
+void measureErrors(ActiveRun& active, const io::FrameData& frame, References& references, int pictureFrame,
+                   bool wantsFlicker, std::vector<BenchPicture>& pictures) {
   const DenoisedFrame denoised = active.session->denoise(frame);
   active.hash.add(denoised.linear);
   active.hash.add(denoised.display);
@@ -108,7 +92,7 @@ void measureErrors(ActiveRun& active, const io::FrameData& frame, const io::Fram
     pictures.push_back(
         {active.run.input, frame.number, active.run.plan.name(), metrics::encodeForDisplay(denoised.linear)});
   if (!frame.comparable()) return;
-  if (const auto reference = sequence.reference(frame.number))
+  if (const auto& reference = references.of(frame.number))
     active.run.report.errors.push_back(compareFrame(frame, denoised, *reference));
 }
 
@@ -116,9 +100,10 @@ void warmUp(std::vector<ActiveRun>& active, const BenchInput& input, int picture
             std::vector<BenchPicture>& pictures) {
   // A sweep without references is about time: at 3840x2160 the temporal error takes longer than all else.
   const bool hasReferences = lastReferenceFrame(input) >= 0;
-  runRound(active, input, 0, [&](ActiveRun& run, const io::FrameData& frame) {
+  References references(*input.sequence);
+  fairRound(active, input, 0, [&](ActiveRun& run, const io::FrameData& frame) {
     const bool wantsFlicker = hasReferences || run.run.plan.sweep.empty();
-    measureErrors(run, frame, *input.sequence, pictureFrame, wantsFlicker, pictures);
+    measureErrors(run, frame, references, pictureFrame, wantsFlicker, pictures);
   });
   for (ActiveRun& run : active) {
     run.run.report.outputHash = run.hash.text();
@@ -151,7 +136,7 @@ void runRoundOnwards(std::vector<ActiveRun>& active, const BenchInput& input, st
   for (std::size_t i = 1; i < count; ++i) {
     io::FrameData frame = input.sequence->read(input.frames[round % 2 == 1 ? count - 1 - i : i]);
     frame.camera.worldToClipPrev = std::exchange(worldToClip, frame.camera.worldToClip);
-    runFrame(active, frame, round + i, runTimed);
+    takeTurns(active, frame, round + i, runTimed);
   }
 }
 
@@ -169,7 +154,7 @@ void runRounds(std::vector<ActiveRun>& active, const BenchInput& input, int roun
     if (keepsHistory)
       runRoundOnwards(active, input, turn, worldToClip);
     else
-      runRound(active, input, turn, runTimed);
+      fairRound(active, input, turn, runTimed);
     progress.step(fmt::format("round {}", round));
   }
   for (ActiveRun& run : active) run.run.report.timings = run.session->timings();
@@ -178,18 +163,6 @@ void runRounds(std::vector<ActiveRun>& active, const BenchInput& input, int roun
 void measureBuilds(std::vector<ActiveRun>& active, const BenchInput& input, const DeviceArguments& device) {
   const io::FrameData example = input.sequence->read(input.frames.front());
   for (ActiveRun& run : active) run.run.build = measureBuildTimes(run.run.report.settings, device, example);
-}
-
-CopyBandwidth measureCopy(const DenoiseSession& session) {
-  return measureCopyBandwidth(session.context(), session.deviceId(), session.queue());
-}
-
-CopyBandwidth mean(const std::vector<CopyBandwidth>& measurements) {
-  CopyBandwidth result;
-  for (const CopyBandwidth& one : measurements)
-    result.copyMs += one.copyMs / static_cast<double>(measurements.size());
-  result.gigabytesPerSecond = kCopyBytes * 1e-6 / result.copyMs;
-  return result;
 }
 
 // All runs of a group on one of its inputs.

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cstring>
 
+#include "host/cli/common/figures.hpp"
 #include "host/metrics/display_encoding.hpp"
 
 namespace quell::cli {
@@ -30,14 +32,10 @@ json statisticsJson(const TimeStatistics& time) {
   return {{"median", time.medianMs}, {"min", time.minMs}, {"max", time.maxMs}};
 }
 
-// JSON has no NaN and no infinity.
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
-json number(const std::optional<double>& value) { return value ? number(*value) : json(nullptr); }
-
 json figuresJson(const metrics::ErrorFigures& figures) {
-  return {{"rmse", number(figures.rmse)}, {"unbiased_rmse", number(figures.unbiasedRmse)},
-          {"psnr", number(figures.psnr)}, {"ssim", number(figures.ssim)},
-          {"flip", number(figures.flip)}, {"relmse", number(figures.relMse)}};
+  json result = json::object();
+  addFigures(result, figures);
+  return result;
 }
 
 }  // namespace
@@ -92,17 +90,26 @@ std::string timingsText(const DenoiseReport& report) {
   return text;
 }
 
-std::string text(const std::optional<double>& value) { return value ? fmt::format("{:.4f}", *value) : "-"; }
+// Characters of a metric's column; its values have up to four digits before the point.
+int columnWidth(const metrics::Metric& metric) {
+  constexpr int kLeast = 9, kGap = 2;
+  return std::max(kLeast, static_cast<int>(std::strlen(metric.column)) + kGap);
+}
 
 std::string figuresText(const std::string& name, const metrics::ErrorFigures& figures) {
-  return fmt::format("  {:<24}{:>9.4f}{:>10}{:>9.2f}{:>9.3f}{:>9.4f}{:>9}\n", name, figures.rmse,
-                     text(figures.unbiasedRmse), figures.psnr, figures.ssim, figures.flip,
-                     text(figures.relMse));
+  std::string line = fmt::format("  {:<24}", name);
+  for (std::size_t i = 0; i < figures.values.size(); ++i) {
+    const metrics::Metric& metric = metrics::imageMetrics()[i];
+    line += fmt::format("{:>{}}", fixed(figures.values[i], metric.digits, "-"), columnWidth(metric));
+  }
+  return line + "\n";
 }
 
 std::string errorsText(const std::vector<FrameErrors>& errors) {
-  std::string lines = fmt::format("\n  {:<24}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}\n", "error", "RMSE", "unbiased",
-                                  "PSNR", "SSIM", "FLIP", "relMSE");
+  std::string lines = fmt::format("\n  {:<24}", "error");
+  for (const metrics::Metric& metric : metrics::imageMetrics())
+    lines += fmt::format("{:>{}}", metric.column, columnWidth(metric));
+  lines += "\n";
   for (const FrameErrors& frame : errors) {
     lines += figuresText(fmt::format("frame {} noisy input", frame.frame), frame.noisy);
     lines += figuresText(fmt::format("frame {} denoised", frame.frame), frame.linear);
@@ -164,7 +171,7 @@ json toJson(const DenoiseReport& report) {
     result["copy_ms"] = *report.copyMs;
     result["copy_gbs"] = *report.copyGbs;
   }
-  if (report.temporalError) result["temporal_error"] = number(report.temporalError);
+  if (report.temporalError) result[metrics::kTemporalError.key] = number<json>(report.temporalError);
   if (!report.errors.empty()) result["errors"] = json::array();
   for (const FrameErrors& frame : report.errors) {
     result["errors"].push_back({{"frame", frame.frame},
@@ -184,9 +191,8 @@ std::string toText(const DenoiseReport& report) {
   if (report.timings) text += timingsText(report);
   if (!report.errors.empty()) text += errorsText(report.errors);
   if (report.temporalError)
-    text += fmt::format(
-        "  temporal error, motion-compensated (mean luma difference of consecutive frames): {:.5f}\n",
-        *report.temporalError);
+    text += fmt::format("  {}, motion-compensated (mean luma difference of consecutive frames): {:.{}f}\n",
+                        metrics::kTemporalError.label, *report.temporalError, metrics::kTemporalError.digits);
   return text;
 }
 

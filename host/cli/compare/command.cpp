@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host/cli/common/commands.hpp"
+#include "host/cli/common/figures.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/frame_sequence.hpp"
@@ -87,44 +88,40 @@ void createDirectory(const std::string& directory) {
                 {"compare", directory, "a directory that can be created", failure.message()});
 }
 
-std::string format(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
-
-std::string format(const std::optional<double>& value, int decimals) {
-  return value ? format(*value, decimals) : "n/a";
+std::string heading(const metrics::Metric& metric) {
+  return *metric.unit == '\0' ? metric.label : fmt::format("{}/{}", metric.label, metric.unit);
 }
 
-constexpr char kRowFormat[] = "{:<{}}  {:>9}  {:>13}  {:>7}  {:>7}  {:>7}  {:>9}\n";
+std::size_t columnWidth(const metrics::Metric& metric) {
+  return std::max(heading(metric).size(), static_cast<std::size_t>(metric.fineWidth));
+}
 
 void printTable(const std::vector<ComparedImage>& compared) {
+  const std::vector<metrics::Metric>& all = metrics::imageMetrics();
   std::size_t nameWidth = std::string("image").size();
   for (const ComparedImage& item : compared) nameWidth = std::max(nameWidth, item.path.size());
-  fmt::print(kRowFormat, "image", nameWidth, "RMSE", "unbiased RMSE", "PSNR/dB", "SSIM", "FLIP", "relMSE");
+  fmt::print("{:<{}}", "image", nameWidth);
+  for (const metrics::Metric& metric : all) fmt::print("  {:>{}}", heading(metric), columnWidth(metric));
   for (const ComparedImage& item : compared) {
-    const metrics::ErrorFigures& figures = item.figures;
-    fmt::print(kRowFormat, item.path, nameWidth, format(figures.rmse, 6), format(figures.unbiasedRmse, 6),
-               format(figures.psnr, 2), format(figures.ssim, 4), format(figures.flip, 4),
-               format(figures.relMse, 5));
+    fmt::print("\n{:<{}}", item.path, nameWidth);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      fmt::print("  {:>{}}", fixed(item.figures.values[i], all[i].fineDigits, "n/a"), columnWidth(all[i]));
   }
-}
-
-nlohmann::json toJson(const std::optional<double>& value) {
-  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+  fmt::print("\n");
 }
 
 /// Figures that are absent or not finite become null.
 void writeJson(const CompareOptions& options, const std::vector<ComparedImage>& compared,
                const std::optional<double>& temporalError) {
-  nlohmann::ordered_json images = nlohmann::ordered_json::array();
-  for (const auto& [path, figures] : compared)
-    images.push_back({{"image", path},
-                      {"rmse", figures.rmse},
-                      {"unbiased_rmse", toJson(figures.unbiasedRmse)},
-                      {"psnr", figures.psnr},
-                      {"ssim", figures.ssim},
-                      {"flip", figures.flip},
-                      {"relmse", toJson(figures.relMse)}});
-  const nlohmann::ordered_json report = {
-      {"reference", options.reference}, {"images", images}, {"temporal_error", toJson(temporalError)}};
+  using Json = nlohmann::ordered_json;
+  Json images = Json::array();
+  for (const auto& [path, figures] : compared) {
+    images.push_back({{"image", path}});
+    addFigures(images.back(), figures);
+  }
+  const Json report = {{"reference", options.reference},
+                       {"images", images},
+                       {metrics::kTemporalError.key, number<Json>(temporalError)}};
   io::writeTextFile(options.jsonFile, report.dump(2) + "\n");
 }
 
@@ -153,8 +150,8 @@ void runCompare(const CompareOptions& options) {
   }
   printTable(compared);
   if (const auto error = temporal.mean())
-    fmt::print("temporal error (mean luma difference of consecutive images, for a static view): {:.6f}\n",
-               *error);
+    fmt::print("{} (mean luma difference of consecutive images, for a static view): {:.{}f}\n",
+               metrics::kTemporalError.label, *error, metrics::kTemporalError.fineDigits);
   std::fflush(stdout);  // the JSON may go to the same place
   if (!options.jsonFile.empty()) writeJson(options, compared, temporal.mean());
 }

@@ -12,11 +12,11 @@
 #include "host/cli/common/commands.hpp"
 #include "host/cli/common/denoise_report.hpp"
 #include "host/cli/common/denoise_session.hpp"
+#include "host/cli/common/fair_rounds.hpp"
 #include "host/cli/common/output_files.hpp"
 #include "host/cli/common/progress.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/frame_sequence.hpp"
-#include "host/measure/copy_bandwidth.hpp"
 
 namespace quell::cli {
 namespace {
@@ -118,7 +118,7 @@ void runDenoise(const DenoiseOptions& options) {
   report.temporalError = flicker.mean();
   if (options.timers != "off") report.timings = session.timings();
   if (options.copyBandwidth) {
-    const CopyBandwidth copy = measureCopyBandwidth(session.context(), session.deviceId(), session.queue());
+    const CopyBandwidth copy = measureCopy(session);
     report.copyMs = copy.copyMs;
     report.copyGbs = copy.gigabytesPerSecond;
   }

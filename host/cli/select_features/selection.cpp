@@ -69,8 +69,7 @@ class Evaluator {
     double sum = 0.0;
     int count = 0;
     for (const LoadedSequence& loaded : m_sequences) addErrors(loaded, features, sum, count);
-    const double mean = sum / count;
-    return std::copysign(std::sqrt(std::abs(mean)), mean);
+    return metrics::signedRoot(sum / count);
   }
 
  private:

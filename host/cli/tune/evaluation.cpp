@@ -8,33 +8,38 @@
 #include <optional>
 #include <utility>
 
-#include "host/cli/common/denoise_session.hpp"
+#include "host/cli/common/fair_rounds.hpp"
 #include "host/cli/common/progress.hpp"
+#include "host/metrics/error.hpp"
 #include "host/metrics/report.hpp"
 
 namespace quell::cli {
 namespace {
 
-// Gathers what SequenceFigures says of errors.
+// Means of the tuned metrics over the reference frames.
 class ErrorMeans {
  public:
   void add(const metrics::ErrorFigures& figures) {
-    const double rmse = figures.unbiasedRmse.value_or(figures.rmse);
-    m_mse += std::copysign(rmse * rmse, rmse);
-    m_ssim += figures.ssim;
-    m_flip += figures.flip;
+    for (std::size_t i = 0; i < m_sums.size(); ++i) {
+      const metrics::Metric& metric = *tunedMetrics()[i];
+      const std::optional<double>& own = figures.at(metric.key);
+      const double value = own ? *own : *figures.at(plainOf(metric).key);
+      m_sums[i] += metric.meanOfSquares ? value * std::abs(value) : value;
+    }
     ++m_count;
   }
 
-  void store(SequenceFigures& figures) const {
-    const double mse = m_mse / m_count;
-    figures.rmse = std::copysign(std::sqrt(std::abs(mse)), mse);
-    figures.ssim = m_ssim / m_count;
-    figures.flip = m_flip / m_count;
+  std::vector<double> means() const {
+    std::vector<double> means;
+    for (std::size_t i = 0; i < m_sums.size(); ++i) {
+      const double mean = m_sums[i] / m_count;
+      means.push_back(tunedMetrics()[i]->meanOfSquares ? metrics::signedRoot(mean) : mean);
+    }
+    return means;
   }
 
  private:
-  double m_mse = 0.0, m_ssim = 0.0, m_flip = 0.0;
+  std::vector<double> m_sums = std::vector<double>(tunedMetrics().size());
   int m_count = 0;
 };
 
@@ -51,7 +56,11 @@ class SequenceEvaluator {
  public:
   SequenceEvaluator(const std::string& label, const BenchInput& input, const EvaluationArguments& arguments,
                     Evaluation& result)
-      : m_label(label), m_input(input), m_arguments(arguments), m_result(result) {
+      : m_label(label),
+        m_input(input),
+        m_references(*input.sequence),
+        m_arguments(arguments),
+        m_result(result) {
     const io::FrameSequence& sequence = *input.sequence;
     result.sequences.push_back(
         {sequence.name(), {sequence.width(), sequence.height()}, input.frames.size(), {}, true});
@@ -85,20 +94,19 @@ class SequenceEvaluator {
     std::vector<ActiveSetting> active;
     open(m_result.settings.front(), first == 1, active);
     for (std::size_t i = first; i < last; ++i) tryToOpen(m_result.settings[i], active);
-    const DenoiseSession& session = *active.front().session;
     if (first == 1) {
+      const DenoiseSession& session = *active.front().session;
       m_result.device = session.device();
-      m_result.copies.push_back(measureCopyBandwidth(session.context(), session.deviceId(), session.queue()));
+      m_result.copies.push_back(measureCopy(session));
     }
     Progress progress(fmt::format("{} {}", m_label, name), static_cast<std::size_t>(m_arguments.rounds) + 1);
-    runRound(active, 0, [&](ActiveSetting& one, const io::FrameData& frame, const auto& reference) {
-      measureErrors(one, frame, reference);
-    });
+    fairRound(active, m_input, 0,
+              [&](ActiveSetting& one, const io::FrameData& frame) { measureErrors(one, frame); });
     progress.step("errors");
     for (ActiveSetting& one : active) one.session->denoiser().clearTimings();
     for (int round = 1; round <= m_arguments.rounds; ++round) {
-      runRound(active, static_cast<std::size_t>(round),
-               [](ActiveSetting& one, const io::FrameData& frame, const auto&) { one.session->run(frame); });
+      fairRound(active, m_input, static_cast<std::size_t>(round),
+                [](ActiveSetting& one, const io::FrameData& frame) { one.session->run(frame); });
       progress.step(fmt::format("round {}", round));
     }
     store(active);
@@ -116,28 +124,13 @@ class SequenceEvaluator {
     try {
       open(setting, true, active);
     } catch (const Error& error) {
-      if (error.code() != ErrorCode::InvalidArgument && error.code() != ErrorCode::OutOfRange) throw;
+      if (!isRefusal(error)) throw;
       m_result.refused.push_back({setting.plan, m_input.sequence->name(), error.what()});
     }
   }
 
-  // Calls work(setting, frame, reference) for every frame and setting; who comes first changes from frame to frame. A
-  // round starts without history. References are there in round 0 only.
-  template <class Work>
-  void runRound(std::vector<ActiveSetting>& active, std::size_t round, const Work& work) const {
-    for (ActiveSetting& one : active) one.session->denoiser().resetHistory();
-    for (std::size_t i = 0; i < m_input.frames.size(); ++i) {
-      const int number = m_input.frames[i];
-      const io::FrameData frame = m_input.sequence->read(number);
-      const std::optional<io::Reference> reference =
-          round == 0 ? m_input.sequence->reference(number) : std::nullopt;
-      for (std::size_t turn = 0; turn < active.size(); ++turn)
-        work(active[(round + i + turn) % active.size()], frame, reference);
-    }
-  }
-
-  static void measureErrors(ActiveSetting& one, const io::FrameData& frame,
-                            const std::optional<io::Reference>& reference) {
+  void measureErrors(ActiveSetting& one, const io::FrameData& frame) {
+    const std::optional<io::Reference>& reference = m_references.of(frame.number);
     if (!reference || !one.measuresErrors) return one.session->run(frame);
     one.errors.add(
         metrics::compareToReference(one.session->denoise(frame).linear, false, reference->a, reference->b));
@@ -148,21 +141,44 @@ class SequenceEvaluator {
     const double firstMs = frameMs(active.front());
     for (ActiveSetting& one : active) {
       if (!one.measuresErrors) continue;
-      SequenceFigures figures;
-      figures.frameMs = frameMs(one);
-      figures.relativeTime = figures.frameMs / firstMs;
-      one.errors.store(figures);
-      one.setting->sequences.push_back(figures);
+      const double ms = frameMs(one);
+      one.setting->sequences.push_back({ms, ms / firstMs, one.errors.means()});
     }
   }
 
   const std::string& m_label;
   const BenchInput& m_input;
+  References m_references;
   const EvaluationArguments& m_arguments;
   Evaluation& m_result;
 };
 
 }  // namespace
+
+const std::vector<const metrics::Metric*>& tunedMetrics() {
+  static const std::vector<const metrics::Metric*> all = [] {
+    std::vector<const metrics::Metric*> tuned;
+    for (const metrics::Metric& metric : metrics::imageMetrics())
+      if (metric.tuning != metrics::Tuning::None) tuned.push_back(&metric);
+    return tuned;
+  }();
+  return all;
+}
+
+const std::vector<std::size_t>& minimisedMetrics() {
+  static const std::vector<std::size_t> all = [] {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < tunedMetrics().size(); ++i)
+      if (tunedMetrics()[i]->tuning == metrics::Tuning::Minimised) places.push_back(i);
+    return places;
+  }();
+  return all;
+}
+
+const metrics::Metric& plainOf(const metrics::Metric& metric) {
+  if (metric.standIn == nullptr) return metric;
+  return metrics::imageMetrics()[metrics::indexOfMetric(metric.standIn)];
+}
 
 Evaluation evaluateSettings(const std::string& label, const std::vector<PlannedRun>& plans,
                             const std::vector<BenchInput>& inputs, const EvaluationArguments& arguments) {

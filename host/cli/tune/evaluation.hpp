@@ -8,18 +8,25 @@
 #include "host/cli/common/command_arguments.hpp"
 #include "host/cli/common/run_plan.hpp"
 #include "host/measure/copy_bandwidth.hpp"
+#include "host/metrics/metric_table.hpp"
 
 namespace quell::cli {
 
-/// Figures of one setting on one sequence. Errors are those of the linear output before TAA, on display-encoded values.
+/// The metrics that settings are judged by, in the order of reports. Those of the linear output before TAA.
+const std::vector<const metrics::Metric*>& tunedMetrics();
+
+/// Places in tunedMetrics() of those that shall become small.
+const std::vector<std::size_t>& minimisedMetrics();
+
+/// What takes the metric's place on references of one half, and gives both their name in tables; or the metric itself.
+const metrics::Metric& plainOf(const metrics::Metric& metric);
+
+/// Figures of one setting on one sequence.
 struct SequenceFigures {
   double frameMs = 0.0;       ///< median over frames and rounds, gaps between stages included
   double relativeTime = 1.0;  ///< frameMs divided by that of the first setting, measured side by side with it
-  /// Square root of the mean over the reference frames of mean((I - A)(I - B)); the plain error against the only half
-  /// of a reference that has but one. Negative where the mean is.
-  double rmse = 0.0;
-  double ssim = 0.0;  ///< mean over the reference frames; NaN for images smaller than 11x11
-  double flip = 0.0;  ///< mean over the reference frames
+  std::vector<double>
+      errors;  ///< of tunedMetrics(), each its mean over the reference frames, as the metric takes it
 };
 
 struct EvaluatedSetting {

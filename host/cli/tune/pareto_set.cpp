@@ -6,8 +6,12 @@ namespace quell::cli {
 
 bool dominates(const Costs& a, const Costs& b, double timeTolerance) {
   const double tolerated = 1.0 + timeTolerance;
-  if (a.time > b.time * tolerated || a.rmse > b.rmse || a.flip > b.flip) return false;
-  return a.time * tolerated < b.time || a.rmse < b.rmse || a.flip < b.flip;
+  bool better = a.time * tolerated < b.time;
+  for (std::size_t i = 0; i < a.errors.size(); ++i) {
+    if (a.errors[i] > b.errors[i]) return false;
+    better = better || a.errors[i] < b.errors[i];
+  }
+  return better && a.time <= b.time * tolerated;
 }
 
 std::vector<bool> paretoSet(const std::vector<Costs>& settings, double timeTolerance) {

@@ -5,11 +5,10 @@
 
 namespace quell::cli {
 
-/// What a setting costs, in units of any kind; less is better in all three. Not NaN.
+/// What a setting costs, in units of any kind; less is better in all. Not NaN.
 struct Costs {
-  double time = 0.0;  ///< >= 0
-  double rmse = 0.0;
-  double flip = 0.0;
+  double time = 0.0;           ///< >= 0
+  std::vector<double> errors;  ///< as many for every setting
 };
 
 /// True if `a` is as good as `b` in everything and better in something. Times that differ by a share of up to

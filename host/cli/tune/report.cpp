@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 
+#include "host/cli/common/figures.hpp"
 #include "host/cli/common/text_table.hpp"
 
 namespace quell::cli {
@@ -13,12 +13,19 @@ namespace {
 
 using nlohmann::json;
 
-constexpr char kLegend[] =
-    "Time, RMSE and FLIP: geometric means over the sequences, relative to the defaults; * marks the Pareto "
-    "set of the "
-    "three.\nPer sequence: RMSE / SSIM / FLIP / median milliseconds a frame. Errors before TAA, on "
-    "display-encoded "
-    "values; RMSE is the unbiased one.\n";
+// Under these names errors stand in the table.
+const char* labelOf(std::size_t tunedMetric) { return plainOf(*tunedMetrics()[tunedMetric]).label; }
+
+std::string legend() {
+  std::vector<std::string> minimised, shown;
+  for (const std::size_t metric : minimisedMetrics()) minimised.push_back(labelOf(metric));
+  for (std::size_t metric = 0; metric < tunedMetrics().size(); ++metric) shown.push_back(labelOf(metric));
+  return fmt::format(
+      "Time, {}: geometric means over the sequences, relative to the defaults; * marks the Pareto set of "
+      "these.\nPer sequence: {} / median milliseconds a frame. Errors before TAA, on display-encoded values; "
+      "RMSE is the unbiased one.\n",
+      fmt::join(minimised, " and "), fmt::join(shown, " / "));
+}
 
 // The last part of a directory's path.
 std::string shortName(const std::string& name) {
@@ -31,25 +38,27 @@ std::string settingName(const TunedSetting& setting, const TuningArguments& argu
   return text.empty() ? fmt::format("defaults ({})", arguments.defaults) : text;
 }
 
-// RMSE / SSIM / FLIP / ms.
+// The errors and milliseconds.
 std::string figuresText(const SequenceFigures& figures) {
-  return fmt::format("{:.4f} / {:.3f} / {:.4f} / {:.2f}", figures.rmse, figures.ssim, figures.flip,
-                     figures.frameMs);
+  std::string text;
+  for (std::size_t i = 0; i < figures.errors.size(); ++i)
+    text += fixed(figures.errors[i], tunedMetrics()[i]->digits, "") + " / ";
+  return text + fixed(figures.frameMs, 2, "");
 }
 
 TextTable makeTable(const TuningTable& table, const TuningResult& result) {
   TextTable text;
-  text.header = {"settings", "", "time", "RMSE", "FLIP", "ms", "copies"};
+  text.header = {"settings", "", "time"};
+  for (const std::size_t metric : minimisedMetrics()) text.header.push_back(labelOf(metric));
+  for (const char* heading : {"ms", "copies"}) text.header.push_back(heading);
   for (const EvaluatedSequence& sequence : table.evaluation.sequences)
     text.header.push_back(shortName(sequence.name));
   for (const TunedSetting& setting : table.settings) {
-    std::vector<std::string> row = {settingName(setting, result.arguments),
-                                    setting.pareto ? "*" : "",
-                                    fmt::format("{:.3f}", setting.relative.time),
-                                    fmt::format("{:.4f}", setting.relative.rmse),
-                                    fmt::format("{:.4f}", setting.relative.flip),
-                                    fmt::format("{:.2f}", setting.frameMs),
-                                    fmt::format("{:.1f}", setting.frameMs / result.copy.copyMs)};
+    std::vector<std::string> row = {settingName(setting, result.arguments), setting.pareto ? "*" : "",
+                                    fixed(setting.relative.time, 3, "")};
+    for (const double error : setting.relative.errors) row.push_back(fixed(error, 4, ""));
+    row.push_back(fixed(setting.frameMs, 2, ""));
+    row.push_back(fixed(setting.frameMs / result.copy.copyMs, 1, ""));
     for (const SequenceFigures& figures : setting.figures.sequences) row.push_back(figuresText(figures));
     text.rows.push_back(row);
   }
@@ -88,7 +97,7 @@ std::string resultText(const TuningResult& result, const Format& format) {
       "count as equal.\n{}",
       result.arguments.method, result.tuned.evaluation.device.name,
       result.tuned.evaluation.device.driverVersion, result.arguments.evaluation.rounds, result.copy.copyMs,
-      100.0 * result.arguments.timeTolerance, kLegend);
+      100.0 * result.arguments.timeTolerance, legend());
   text += partText("Tuned on", result.tuned, result, format);
   if (result.confirmed)
     text += partText("Confirmed on (the defaults and the Pareto set from above)", *result.confirmed, result,
@@ -97,9 +106,6 @@ std::string resultText(const TuningResult& result, const Format& format) {
     text += "\nNot confirmed on other sequences.\n";
   return text;
 }
-
-// JSON has no NaN.
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 json sequenceJson(const EvaluatedSequence& sequence) {
   return {{"name", sequence.name},     {"width", sequence.size.width},      {"height", sequence.size.height},
@@ -111,20 +117,21 @@ json settingJson(const TunedSetting& setting, const std::vector<EvaluatedSequenc
   json result = {{"settings", json::object()},
                  {"pareto", setting.pareto},
                  {"relative_time", setting.relative.time},
-                 {"relative_rmse", setting.relative.rmse},
-                 {"relative_flip", setting.relative.flip},
                  {"frame_ms", setting.frameMs},
                  {"copies", setting.frameMs / copyMs},
                  {"sequences", json::array()}};
+  for (std::size_t i = 0; i < setting.relative.errors.size(); ++i) {
+    const metrics::Metric& metric = plainOf(*tunedMetrics()[minimisedMetrics()[i]]);
+    result[std::string("relative_") + metric.key] = setting.relative.errors[i];
+  }
   for (const auto& [name, value] : setting.figures.plan.assignments) result["settings"][name] = value;
   for (std::size_t i = 0; i < sequences.size(); ++i) {
     const SequenceFigures& figures = setting.figures.sequences[i];
-    result["sequences"].push_back({{"name", sequences[i].name},
-                                   {"frame_ms", figures.frameMs},
-                                   {"relative_time", figures.relativeTime},
-                                   {"unbiased_rmse", figures.rmse},
-                                   {"ssim", number(figures.ssim)},
-                                   {"flip", figures.flip}});
+    json sequence = {
+        {"name", sequences[i].name}, {"frame_ms", figures.frameMs}, {"relative_time", figures.relativeTime}};
+    for (std::size_t m = 0; m < figures.errors.size(); ++m)
+      sequence[tunedMetrics()[m]->key] = number<json>(figures.errors[m]);
+    result["sequences"].push_back(sequence);
   }
   return result;
 }

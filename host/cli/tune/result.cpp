@@ -14,10 +14,13 @@ constexpr char kCommand[] = "tune";
 void checkErrors(const Evaluation& evaluation) {
   for (const EvaluatedSetting& setting : evaluation.settings) {
     for (std::size_t i = 0; i < evaluation.sequences.size(); ++i) {
-      const SequenceFigures& figures = setting.sequences[i];
-      if (figures.rmse > 0.0 && figures.flip > 0.0) continue;
-      refuse(kCommand, evaluation.sequences[i].name, "an RMSE and a FLIP above 0",
-             fmt::format("{:.2g} and {:.2g} with {}", figures.rmse, figures.flip, setting.plan.name()));
+      for (const std::size_t place : minimisedMetrics()) {
+        const double error = setting.sequences[i].errors[place];
+        if (error > 0.0) continue;
+        refuse(kCommand, evaluation.sequences[i].name,
+               fmt::format("{} above 0", plainOf(*tunedMetrics()[place]).label),
+               fmt::format("{:.2g} with {}", error, setting.plan.name()));
+      }
     }
   }
 }
@@ -36,18 +39,11 @@ TunedSetting summarize(const EvaluatedSetting& setting, const EvaluatedSetting& 
   const auto& its = first.sequences;
   TunedSetting result = {setting, {}, 0.0, false};
   result.relative.time = geometricMean(count, [&](std::size_t i) { return own[i].relativeTime; });
-  result.relative.rmse = geometricMean(count, [&](std::size_t i) { return own[i].rmse / its[i].rmse; });
-  result.relative.flip = geometricMean(count, [&](std::size_t i) { return own[i].flip / its[i].flip; });
+  for (const std::size_t place : minimisedMetrics())
+    result.relative.errors.push_back(
+        geometricMean(count, [&](std::size_t i) { return own[i].errors[place] / its[i].errors[place]; }));
   result.frameMs = geometricMean(count, [&](std::size_t i) { return own[i].frameMs; });
   return result;
-}
-
-CopyBandwidth meanCopy(const std::vector<CopyBandwidth>& measurements) {
-  CopyBandwidth mean;
-  for (const CopyBandwidth& one : measurements)
-    mean.copyMs += one.copyMs / static_cast<double>(measurements.size());
-  mean.gigabytesPerSecond = kCopyBytes * 1e-6 / mean.copyMs;
-  return mean;
 }
 
 // The first one, the defaults, and the Pareto set.
@@ -84,7 +80,7 @@ TuningResult tune(const TuningArguments& arguments, const std::vector<PlannedRun
   };
   result.tuned = table("tune", plans, inputs);
   if (!confirmation.empty()) result.confirmed = table("confirm", bestPlans(result.tuned), confirmation);
-  result.copy = meanCopy(result.tuned.evaluation.copies);
+  result.copy = mean(result.tuned.evaluation.copies);
   return result;
 }
 

@@ -13,7 +13,8 @@ namespace quell::cli {
 /// One setting over all sequences.
 struct TunedSetting {
   EvaluatedSetting figures;
-  Costs relative;        ///< geometric means over the sequences of figures divided by the first setting's
+  Costs
+      relative;  ///< geometric means over the sequences of figures divided by the first setting's; minimised ones
   double frameMs = 0.0;  ///< geometric mean over the sequences
   bool pareto = false;   ///< in the Pareto set of `relative`
 };
@@ -37,8 +38,8 @@ struct TuningResult {
   std::optional<TuningTable> confirmed;  ///< the defaults and the Pareto set of `tuned`, on other sequences
 };
 
-/// Adds means and the Pareto set. Throws Error(InvalidArgument) naming the sequence for an RMSE or a FLIP that is not
-/// above 0: a ratio would mean nothing.
+/// Adds means and the Pareto set. Throws Error(InvalidArgument) naming the sequence for a figure to be minimised that
+/// is not above 0: a ratio would mean nothing.
 TuningTable summarize(Evaluation evaluation, double timeTolerance);
 
 /// Evaluates `plans` on `inputs`, then the best of them on `confirmation` (may be empty). Throws as evaluateSettings()

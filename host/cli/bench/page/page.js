@@ -1,8 +1,9 @@
 // Fills the page from the results.
 const RESULTS = JSON.parse(document.getElementById("results").textContent);
-const METRICS = {
-  unbiased_rmse: "unbiased RMSE", rmse: "RMSE", flip: "FLIP", ssim: "1 - SSIM", relmse: "relMSE", temporal: "temporal error",
-};
+const METRICS = Object.fromEntries(RESULTS.metrics.map(metric => [metric.key, metric]));
+// Charts show the distance from the best value, so that less is better in all; where that is infinite, no chart.
+const CHARTED = RESULTS.metrics.filter(metric => metric.best !== null).map(metric => metric.key);
+const labelOf = key => METRICS[key].best ? `${METRICS[key].best} - ${METRICS[key].label}` : METRICS[key].label;
 // Of sweeps over several inputs.
 const SWEEP_TITLES = {
   sizes: "sizes (built-in sequence)",
@@ -14,13 +15,13 @@ const mean = values => values.length ? values.reduce((a, b) => a + b, 0) / value
 const mainRuns = () => RESULTS.runs.filter(run => !run.sweep && keyOf(run) === byId("input").value);
 
 // A figure of one frame's errors; null where it was not measured.
-function figure(frame, metric) {
-  const value = frame.linear[metric];
-  return value === null || value === undefined ? null : metric === "ssim" ? 1 - value : value;
+function figure(frame, key) {
+  const value = frame.linear[key] ?? null, {best} = METRICS[key];
+  return value !== null && best ? best - value : value;
 }
 
 function errorOf(run, metric) {
-  if (metric === "temporal") return run.temporal_error ?? null;
+  if (METRICS[metric].of === "run") return run[metric] ?? null;
   return mean((run.errors || []).map(frame => figure(frame, metric)).filter(value => value !== null));
 }
 
@@ -41,9 +42,9 @@ function note(text) {
 function paretoOf(runs, metric) {
   const points = runs.map((run, i) => ({
     x: run.frame_ms.median, y: errorOf(run, metric), name: run.run, color: i,
-    text: `${run.run}: ${short(run.frame_ms.median)} ms, ${METRICS[metric]} ${errorOf(run, metric)}`,
+    text: `${run.run}: ${short(run.frame_ms.median)} ms, ${labelOf(metric)} ${errorOf(run, metric)}`,
   })).filter(p => p.y !== null);
-  return points.length ? scatter(points, "ms per frame", METRICS[metric]) : note("This sequence has no references.");
+  return points.length ? scatter(points, "ms per frame", labelOf(metric)) : note("This sequence has no references.");
 }
 
 function showPareto() { replace("#pareto .chart", paretoOf(mainRuns(), byId("metric").value)); }
@@ -76,7 +77,7 @@ function showStages() {
 
 function framesOf(errors, metric) {
   const frames = [...new Set(errors.flatMap(series => series.points.map(point => point[0])))];
-  if (frames.length > 1) return lines(errors, "frame", METRICS[metric]);
+  if (frames.length > 1) return lines(errors, "frame", labelOf(metric));
   return note(frames.length ? `Only frame ${frames[0]} has a reference: its errors are in the first chart.`
                             : "No errors of single frames.");
 }
@@ -86,7 +87,7 @@ function showFrames() {
   const times = runs.filter(run => run.frame_medians_ms.length)
                     .map(run => ({name: run.run, points: run.frame_medians_ms.map((ms, i) => [i, ms])}));
   replace("#frame-times", times.length ? lines(times, "frame", "ms") : note("This device's events carry no times."));
-  const errors = metric === "temporal" ? [] : runs.map(run => ({
+  const errors = METRICS[metric].of === "run" ? [] : runs.map(run => ({
     name: run.run,
     points: (run.errors || []).map(frame => [frame.frame, figure(frame, metric)]).filter(p => p[1] !== null),
   })).filter(s => s.points.length);
@@ -151,7 +152,7 @@ function sweepCharts(runs, sweep, metric) {
   const time = run => run.frame_ms.median / (perPixel ? axis.of(run) : 1);
   const charts = [lines(sweepSeries(runs, axis, time), axis.name, perPixel ? "ms per megapixel" : "ms per frame")];
   const errors = sweepSeries(runs, axis, run => errorOf(run, metric));
-  if (errors.length) charts.push(lines(errors, axis.name, METRICS[metric]));
+  if (errors.length) charts.push(lines(errors, axis.name, labelOf(metric)));
   return charts;
 }
 
@@ -188,12 +189,12 @@ const cell = (value, digits = 4) => value === null || value === undefined ? "-" 
 function showRuns() {
   showTable(document.querySelector("#table table"),
             ["run", "sequence", "size", "frame ms", "least", "most", "copies", "MiB", "cold build ms", "cached build ms",
-             ...Object.values(METRICS), "PSNR"],
+             ...Object.keys(METRICS).map(labelOf)],
             RESULTS.runs.map(run => [
               run.run, run.input, `${run.width}x${run.height}`, cell(run.frame_ms.median), cell(run.frame_ms.min),
               cell(run.frame_ms.max), cell(run.frame_ms.median / RESULTS.copy_ms, 3), (run.memory_bytes / 2 ** 20).toFixed(0),
               cell(run.build_ms?.cold, 3), cell(run.build_ms?.cached, 3),
-              ...Object.keys(METRICS).map(metric => cell(errorOf(run, metric))), cell(errorOf(run, "psnr")),
+              ...Object.keys(METRICS).map(metric => cell(errorOf(run, metric))),
             ]));
 }
 
@@ -240,7 +241,8 @@ function showInput() {
 }
 
 fill(byId("input"), [...new Set(RESULTS.runs.filter(run => !run.sweep).map(keyOf))]);
-fill(byId("metric"), Object.keys(METRICS), Object.values(METRICS));
+fill(byId("metric"), CHARTED, CHARTED.map(labelOf));
+byId("metric").value = RESULTS.headline;
 byId("input").addEventListener("change", showInput);
 byId("metric").addEventListener("change", () => { showPareto(); showFrames(); showSweeps(); });
 for (const id of ["left", "right", "difference"]) byId(id).addEventListener("change", showPictures);
