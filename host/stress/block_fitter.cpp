@@ -7,9 +7,10 @@
 
 #include "host/core/cl_error.hpp"
 #include "host/core/program_cache.hpp"
+#include "host/core/round_up.hpp"
 #include "host/core/stage.hpp"
 #include "host/stages/accumulate_noisy.hpp"
-#include "kernels/gram_params.h"
+#include "host/stress/batch_data.hpp"
 
 namespace quell::stress {
 namespace {
@@ -25,57 +26,6 @@ constexpr Images kImages = {{{&Frame::radiance, &Block::radiance},
                              {&Frame::normalWorld, &Block::normalWorld},
                              {&Frame::positionWorld, &Block::positionRelative}}};
 
-/// Blocks one below the other.
-Size imageSize(std::size_t blocks) { return {kBlockEdge, static_cast<int>(blocks) * kBlockEdge}; }
-
-FitParams makeParams(std::size_t blocks, std::uint32_t noiseSeed, double noiseAmplitude) {
-  FitParams params{};
-  params.planes = makePlanes(imageSize(blocks));
-  params.blocksX = 1;
-  params.blocksY = static_cast<int>(blocks);
-  params.noiseSeed = noiseSeed;
-  params.noiseAmplitude = static_cast<float>(noiseAmplitude);
-  return params;
-}
-
-GramParams makeParams(std::size_t blocks, double noiseAmplitude) {
-  GramParams params{};
-  params.planes = makePlanes(imageSize(blocks));
-  params.tilesX = 1;
-  params.tilesY = static_cast<int>(blocks);
-  params.tileStride = params.tilesY;
-  params.noiseVariance = static_cast<float>(noiseAmplitude * noiseAmplitude / 3.0);
-  return params;
-}
-
-/// No history; positions become relative to the camera as host/core/reprojection.cpp arranges it.
-ReprojectionParams makeReprojection(const Batch& batch) {
-  ReprojectionParams params{};
-  float high[3], low[3];
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double camera = batch.cameraWorld[axis] * batch.unit;
-    high[axis] = static_cast<float>(camera);
-    low[axis] = static_cast<float>(camera - static_cast<double>(high[axis]));
-  }
-  params.cameraHigh = {high[0], high[1], high[2], 0.0f};
-  params.cameraLow = {low[0], low[1], low[2], 0.0f};
-  return params;
-}
-
-/// Values of one image in the order of its pixels, packed.
-template <class Value>
-std::vector<Value> packImage(const Batch& batch, std::array<Vector3, kBlockPixels> Block::*image) {
-  const bool isPosition = image == &Block::positionRelative;
-  std::vector<Value> values;
-  values.reserve(batch.blocks.size() * kBlockPixels * 3);
-  for (const Block& block : batch.blocks)
-    for (const Vector3& pixel : block.*image)
-      for (std::size_t c = 0; c < 3; ++c)
-        values.push_back(static_cast<Value>(
-            static_cast<float>(isPosition ? (pixel[c] + batch.cameraWorld[c]) * batch.unit : pixel[c])));
-  return values;
-}
-
 class StressRun : public FrameRun {
  public:
   StressRun(const Configuration& c, const Frame& f, const ReprojectionParams& r,
@@ -87,11 +37,9 @@ class StressRun : public FrameRun {
  protected:
   void enqueue(const cl::Kernel& kernel, std::array<std::size_t, 2> global,
                const cl::NDRange& local) override {
-    const auto padded = [](std::size_t items, std::size_t group) {
-      return (items + group - 1) / group * group;
-    };
-    m_queue.enqueueNDRangeKernel(
-        kernel, cl::NullRange, cl::NDRange(padded(global[0], local[0]), padded(global[1], local[1])), local);
+    const cl::NDRange range(roundUp<std::size_t>(global[0], local[0]),
+                            roundUp<std::size_t>(global[1], local[1]));
+    m_queue.enqueueNDRangeKernel(kernel, cl::NullRange, range, local);
   }
 
  private:
@@ -228,11 +176,11 @@ class BlockFitter::Implementation {
   void enqueueHouseholder(StressRun& run, std::uint32_t noiseSeed) {
     run.launch(m_fit.kernel, {m_blocks * m_fit.group, 1}, cl::NDRange(m_fit.group, 1),
                run.buffer("irradiance"), run.buffer("guides"), run.buffer("guides"), run.buffer("fitRecords"),
-               run.buffer("fitStorage"), makeParams(m_blocks, noiseSeed, m_noiseAmplitude));
+               run.buffer("fitStorage"), makeFitParams(m_blocks, noiseSeed, m_noiseAmplitude));
   }
 
   void enqueueGram(StressRun& run) {
-    const GramParams params = makeParams(m_blocks, m_noiseAmplitude);
+    const GramParams params = makeGramParams(m_blocks, m_noiseAmplitude);
     const auto solvedAtOnce = static_cast<std::size_t>(lanes());
     run.launch(m_gramSums.kernel, {m_blocks * m_gramSums.group, 1}, cl::NDRange(m_gramSums.group, 1),
                run.buffer("irradiance"), run.buffer("guides"), run.buffer("guides"), run.buffer("gramTiles"),
@@ -245,7 +193,7 @@ class BlockFitter::Implementation {
   std::vector<BlockFit> synthesize(StressRun& run) {
     run.launch(m_weightedSum, {static_cast<std::size_t>(kBlockEdge / lanes()), m_blocks * kBlockEdge},
                cl::NDRange(1, 1), run.buffer("fitRecords"), run.buffer("guides"), run.buffer("guides"),
-               run.buffer("fitted"), makeParams(m_blocks, 0, 0.0));
+               run.buffer("fitted"), makeFitParams(m_blocks, 0, 0.0));
     std::vector<BlockFit> fits(m_blocks);
     const std::vector<float> records = download("fitRecords", m_blocks * QUELL_FIT_RECORD);
     const std::vector<float> fitted = downloadPlanes("fitted", 3);

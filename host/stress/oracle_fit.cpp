@@ -1,9 +1,9 @@
 #include "host/stress/oracle_fit.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "host/stress/least_squares.hpp"
 
 namespace quell::stress {
 namespace {
@@ -136,16 +136,11 @@ OptimalFit solveOptimally(const LeastSquares& problem) {
     if (length > kRounding * size) inverseLength[j] = 1.0 / length;
   }
   centred *= inverseLength.asDiagonal();
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr;
-  qr.setThreshold(kOracleRankTolerance);
-  qr.compute(centred);
-  const Eigen::MatrixXd solution = qr.solve(colors);
-  fit.residualEnergy = (colors - centred * solution).colwise().squaredNorm().transpose().array();
-  fit.coefficients.bottomRows<kVaried>() = inverseLength.asDiagonal() * solution;
+  const LeastSquaresSolution solution = leastSquares(centred, colors, kOracleRankTolerance);
+  fit.residualEnergy = (colors - centred * solution.coefficients).colwise().squaredNorm().transpose().array();
+  fit.coefficients.bottomRows<kVaried>() = inverseLength.asDiagonal() * solution.coefficients;
   fit.coefficients.row(0) = colorMeans - means.rightCols<kVaried>() * fit.coefficients.bottomRows<kVaried>();
-  const Eigen::ArrayXd diagonal = qr.matrixQTZ().diagonal().array().abs();
-  fit.condition = qr.rank() < kVaried ? std::numeric_limits<double>::infinity()
-                                      : diagonal.maxCoeff() / diagonal.minCoeff();
+  fit.condition = solution.condition;
   return fit;
 }
 
