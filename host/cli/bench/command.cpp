@@ -15,6 +15,7 @@
 #include "host/cli/bench/sweeps.hpp"
 #include "host/cli/common/command_arguments.hpp"
 #include "host/cli/common/commands.hpp"
+#include "host/cli/common/output_files.hpp"
 #include "host/cli/common/run_plan.hpp"
 #include "host/io/atomic_file.hpp"
 
@@ -79,10 +80,7 @@ std::vector<BenchGroup> planGroups(const BenchArguments& arguments) {
 }
 
 void writeHtml(const BenchResult& result, const std::string& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error)
-    throw Error(ErrorCode::FileError, {"bench", directory, "a directory that can be made", error.message()});
+  createDirectory("bench", directory);
   io::writeTextFile(directory + "/index.html", toHtml(result));
 }
 
@@ -97,7 +95,7 @@ void runBenchCommand(const BenchArguments& arguments) {
   result.operations = operations;
   print(result);
   std::fflush(stdout);  // the files may go to the same place
-  if (!arguments.json.empty()) io::writeTextFile(arguments.json, toJson(result).dump(2) + "\n");
+  writeJson(arguments.json, toJson(result));
   if (!arguments.csv.empty()) io::writeTextFile(arguments.csv, toCsv(result));
   if (!arguments.html.empty()) writeHtml(result, arguments.html);
   if (!arguments.compare.empty())
@@ -151,9 +149,7 @@ void addInputOptions(CLI::App& command, InputArguments& input) {
       .add_option("--size", input.sizes,
                   "Sizes of the built-in sequence; default: 1280x720 if there is no --input")
       ->delimiter(kSeparator);
-  command.add_option("--signals", input.signals, "1, or 2: diffuse and glossy light side by side")
-      ->check(CLI::Range(1, 2))
-      ->capture_default_str();
+  addSignalsOption(command, input.signals);
   command
       .add_option("--frames", input.mostFrames,
                   "Run the first N frames of every sequence; default: all, 16 of the built-in one")

@@ -15,7 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kMebibyte = 1024.0 * 1024.0;
 constexpr double kMegapixel = 1e6;
 
 // For a CSV cell of every metric, each after its comma.
@@ -202,7 +201,7 @@ void printSummaryRow(const BenchRun& run, std::size_t nameWidth) {
   const double megapixels = double(report.size.width) * double(report.size.height) / kMegapixel;
   fmt::print("  {:<{}}{:>10.2f}{:>9.1f}{:>10.2f}{:>9.2f}{:>9.1f}{:>8}{}\n", run.plan.name(), nameWidth, sumMs,
              sumMs / *report.copyMs, report.timings->frame.medianMs, sumMs / megapixels,
-             double(report.memory.totalBytes) / kMebibyte, toString(report.timings->source),
+             mebibytes(report.memory.totalBytes), toString(report.timings->source),
              errorsText(report.errors));
 }
 

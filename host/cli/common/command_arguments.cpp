@@ -14,6 +14,10 @@ void refuse(const char* command, const std::string& option, const std::string& e
   throw Error(ErrorCode::InvalidArgument, {command, option, expected, got});
 }
 
+bool isRefusal(const Error& error) {
+  return error.code() == ErrorCode::InvalidArgument || error.code() == ErrorCode::OutOfRange;
+}
+
 std::pair<int, int> parsePair(const char* command, const char* option, const std::string& text,
                               char separator, const char* expected) {
   const std::size_t split = text.find(separator);
@@ -94,6 +98,23 @@ Settings applyMethodArguments(const char* command, const MethodArguments& argume
     settings.set(name, value);
   }
   return settings;
+}
+
+void addSignalsOption(CLI::App& command, int& signals) {
+  command.add_option("--signals", signals, "1, or 2: diffuse and glossy light side by side")
+      ->check(CLI::Range(1, 2))
+      ->capture_default_str();
+}
+
+void addMotionOption(CLI::App& command, std::string& motion) {
+  command
+      .add_option("--motion", motion, "Motion vectors and object ids: auto, used where there are any, or off")
+      ->check(CLI::IsMember({"auto", "off"}))
+      ->capture_default_str();
+}
+
+MotionUse motionUse(const std::string& motion) {
+  return motion == "off" ? MotionUse::Never : MotionUse::WherePresent;
 }
 
 bool hasSetting(const std::string& method, const std::string& setting) {

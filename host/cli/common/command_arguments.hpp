@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/cli/common/denoise_session.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::cli {
@@ -14,6 +15,9 @@ namespace quell::cli {
 /// Throws Error(InvalidArgument) that names the command and the option.
 [[noreturn]] void refuse(const char* command, const std::string& option, const std::string& expected,
                          const std::string& got);
+
+/// Whether the library refused what it was asked for, rather than failed at it.
+bool isRefusal(const Error& error);
 
 /// "A<separator>B" as two whole numbers; a single number stands for both. Throws Error(InvalidArgument).
 std::pair<int, int> parsePair(const char* command, const char* option, const std::string& text,
@@ -53,6 +57,13 @@ struct MethodArguments {
 void addMethodArguments(CLI::App& command, MethodArguments& arguments);
 /// `settings` with what the arguments say on top. Throws what Settings throws, and Error(InvalidArgument).
 Settings applyMethodArguments(const char* command, const MethodArguments& arguments, Settings settings);
+
+/// --signals: 1, or 2 for diffuse and glossy light side by side. `signals` must live as long as `command`.
+void addSignalsOption(CLI::App& command, int& signals);
+
+/// --motion: auto, or off. `motion` must live as long as `command`.
+void addMotionOption(CLI::App& command, std::string& motion);
+MotionUse motionUse(const std::string& motion);
 
 /// True if the method has a setting of this name. Throws Error(UnknownSetting) for an unknown method.
 bool hasSetting(const std::string& method, const std::string& setting);

@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kMebibyte = 1024.0 * 1024.0;
-
 json settingsJson(const Settings& settings) {
   json result = json::object();
   for (const SettingDescription& setting : settings.descriptions()) {
@@ -186,8 +184,8 @@ std::string toText(const DenoiseReport& report) {
   std::string text =
       fmt::format("{}, {} frames of {}x{} on {} (driver {})\n", report.settings.method(), report.frames,
                   report.size.width, report.size.height, report.device.name, report.device.driverVersion);
-  text += fmt::format("device memory {:.1f} MiB, output hash {}\n",
-                      static_cast<double>(report.memory.totalBytes) / kMebibyte, report.outputHash);
+  text += fmt::format("device memory {:.1f} MiB, output hash {}\n", mebibytes(report.memory.totalBytes),
+                      report.outputHash);
   if (report.timings) text += timingsText(report);
   if (!report.errors.empty()) text += errorsText(report.errors);
   if (report.temporalError)

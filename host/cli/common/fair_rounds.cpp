@@ -2,10 +2,6 @@
 
 namespace quell::cli {
 
-bool isRefusal(const Error& error) {
-  return error.code() == ErrorCode::InvalidArgument || error.code() == ErrorCode::OutOfRange;
-}
-
 CopyBandwidth measureCopy(const DenoiseSession& session) {
   return measureCopyBandwidth(session.context(), session.deviceId(), session.queue());
 }

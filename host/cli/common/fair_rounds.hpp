@@ -11,9 +11,6 @@
 
 namespace quell::cli {
 
-/// Whether the library refused what it was asked for, rather than failed at it.
-bool isRefusal(const Error& error);
-
 /// Of the session's device. Throws quell::Error.
 CopyBandwidth measureCopy(const DenoiseSession& session);
 

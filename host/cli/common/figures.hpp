@@ -1,13 +1,16 @@
-// Error figures as JSON and as text.
+// Figures as JSON and as text.
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "host/metrics/report.hpp"
 
 namespace quell::cli {
+
+inline double mebibytes(std::uint64_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
 
 /// JSON has no NaN and no infinity: null for these, and for what is absent.
 template <class Json>

@@ -24,14 +24,17 @@ void paste(io::Image& target, const io::Image& source, int column) {
 
 }  // namespace
 
+void createDirectory(const char* command, const std::string& path) {
+  std::error_code failure;
+  std::filesystem::create_directories(path, failure);
+  if (failure)
+    throw Error(ErrorCode::FileError,
+                {command, path, "a directory that can be created or exists", failure.message()});
+}
+
 OutputFiles::OutputFiles(std::string directory, OutputFormats formats)
     : m_directory(std::move(directory)), m_formats(formats) {
-  std::error_code failure;
-  std::filesystem::create_directories(m_directory, failure);
-  if (failure) {
-    throw Error(ErrorCode::FileError,
-                {"denoise", m_directory, "a directory that can be created or exists", failure.message()});
-  }
+  createDirectory("denoise", m_directory);
 }
 
 std::string OutputFiles::path(const char* prefix, int frame, const char* extension) const {

@@ -1,13 +1,23 @@
-// What the denoise command leaves in its output directory.
+// What commands leave on disk.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "host/cli/common/denoise_session.hpp"
+#include "host/io/atomic_file.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::cli {
+
+/// Makes a directory, unless it is there, and those that it lies in. Throws Error(FileError) that names the command.
+void createDirectory(const char* command, const std::string& path);
+
+/// Unless `path` is empty; indented by two. Throws Error(FileError).
+template <class Json>
+void writeJson(const std::string& path, const Json& value) {
+  if (!path.empty()) io::writeTextFile(path, value.dump(2) + "\n");
+}
 
 struct OutputFormats {
   bool png = true;   ///< display_%04d.png
@@ -18,6 +28,7 @@ struct OutputFormats {
 /// `noisy` is linear, `display` the denoiser's display image.
 io::Image comparisonSheet(const io::Image& noisy, const io::Image& display, const io::Reference* reference);
 
+/// What the denoise command leaves in its output directory.
 class OutputFiles {
  public:
   /// Creates the directory. Throws Error(FileError).

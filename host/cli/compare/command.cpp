@@ -14,7 +14,7 @@
 
 #include "host/cli/common/commands.hpp"
 #include "host/cli/common/figures.hpp"
-#include "host/io/atomic_file.hpp"
+#include "host/cli/common/output_files.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/frame_sequence.hpp"
 #include "host/io/png_image.hpp"
@@ -80,14 +80,6 @@ std::string heatmapName(const std::string& imagePath, std::set<std::string>& use
   return name + ".png";
 }
 
-void createDirectory(const std::string& directory) {
-  std::error_code failure;
-  fs::create_directories(directory, failure);
-  if (failure)
-    throw Error(ErrorCode::FileError,
-                {"compare", directory, "a directory that can be created", failure.message()});
-}
-
 std::string heading(const metrics::Metric& metric) {
   return *metric.unit == '\0' ? metric.label : fmt::format("{}/{}", metric.label, metric.unit);
 }
@@ -111,8 +103,8 @@ void printTable(const std::vector<ComparedImage>& compared) {
 }
 
 /// Figures that are absent or not finite become null.
-void writeJson(const CompareOptions& options, const std::vector<ComparedImage>& compared,
-               const std::optional<double>& temporalError) {
+void writeReport(const CompareOptions& options, const std::vector<ComparedImage>& compared,
+                 const std::optional<double>& temporalError) {
   using Json = nlohmann::ordered_json;
   Json images = Json::array();
   for (const auto& [path, figures] : compared) {
@@ -122,7 +114,7 @@ void writeJson(const CompareOptions& options, const std::vector<ComparedImage>& 
   const Json report = {{"reference", options.reference},
                        {"images", images},
                        {metrics::kTemporalError.key, number<Json>(temporalError)}};
-  io::writeTextFile(options.jsonFile, report.dump(2) + "\n");
+  writeJson(options.jsonFile, report);
 }
 
 void writeHeatmap(const std::string& path, const io::Image& image, bool encoded,
@@ -133,7 +125,7 @@ void writeHeatmap(const std::string& path, const io::Image& image, bool encoded,
 
 void runCompare(const CompareOptions& options) {
   const io::Reference reference = readReference(options.reference);
-  if (!options.heatmapDirectory.empty()) createDirectory(options.heatmapDirectory);
+  if (!options.heatmapDirectory.empty()) createDirectory("compare", options.heatmapDirectory);
   std::vector<ComparedImage> compared;
   std::set<std::string> heatmapNames;
   metrics::TemporalErrorMeter temporal;
@@ -153,7 +145,7 @@ void runCompare(const CompareOptions& options) {
     fmt::print("{} (mean luma difference of consecutive images, for a static view): {:.{}f}\n",
                metrics::kTemporalError.label, *error, metrics::kTemporalError.fineDigits);
   std::fflush(stdout);  // the JSON may go to the same place
-  if (!options.jsonFile.empty()) writeJson(options, compared, temporal.mean());
+  writeReport(options, compared, temporal.mean());
 }
 
 }  // namespace

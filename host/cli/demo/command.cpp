@@ -49,7 +49,7 @@ DemoSetup makeSetup(const DemoArguments& arguments) {
   setup.samples = arguments.samples;
   setup.seed = arguments.seed;
   setup.signals = arguments.signals;
-  setup.motion = arguments.motion != "off";
+  setup.motion = motionUse(arguments.motion) == MotionUse::WherePresent;
   setup.device = arguments.device.device;
   setup.settings = applyMethodArguments(kCommand, arguments.method, Settings(arguments.method.method));
   setup.options = makeOptions(arguments.device, TimerMode::Device);
@@ -87,7 +87,7 @@ class Demo {
     const Timings tracing = m_pipeline.tracingTimes();
     const std::string text = tracingText(tracing) + "\n" + toText(withLastError());
     fmt::print("{}", text);
-    if (!m_arguments.json.empty()) io::writeTextFile(m_arguments.json, json(tracing).dump(2) + "\n");
+    writeJson(m_arguments.json, json(tracing));
     const std::string page = inOutput(kPageName);
     io::writeTextFile(page, makeDemoPage({title(), subtitle(), text, m_setup.size, m_sheets}));
     fmt::print("\nopen {} in a browser; frames are beside it\n", page);
@@ -168,16 +168,8 @@ class Demo {
   std::vector<DemoSheet> m_sheets;
 };
 
-void createDirectory(const std::string& path) {
-  std::error_code failure;
-  std::filesystem::create_directories(path, failure);
-  if (failure)
-    throw Error(ErrorCode::FileError,
-                {kCommand, path, "a directory that can be created or exists", failure.message()});
-}
-
 void runDemo(const DemoArguments& arguments) {
-  createDirectory(arguments.output);
+  createDirectory(kCommand, arguments.output);
   Demo demo(arguments);
   demo.run();
   demo.finish();
@@ -212,14 +204,8 @@ void addDemoCommand(CLI::App& app) {
   command->add_option("--reference-frames", arguments->referenceFrames, "Frames with a reference")
       ->check(CLI::IsMember({"last", "all"}))
       ->capture_default_str();
-  command->add_option("--signals", arguments->signals, "1, or 2: diffuse and glossy light side by side")
-      ->check(CLI::Range(1, 2))
-      ->capture_default_str();
-  command
-      ->add_option("--motion", arguments->motion,
-                   "Motion vectors and object ids: auto, handed to the denoiser, or off")
-      ->check(CLI::IsMember({"auto", "off"}))
-      ->capture_default_str();
+  addSignalsOption(*command, arguments->signals);
+  addMotionOption(*command, arguments->motion);
   addMethodArguments(*command, arguments->method);
   addDeviceArguments(*command, arguments->device);
   command->add_option("--json", arguments->json, "File for the report as JSON");

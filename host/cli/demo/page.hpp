@@ -7,7 +7,7 @@
 
 namespace quell::cli {
 
-/// host/cli/demo_page.html, where DEMO_DATA stands for what is shown.
+/// host/cli/demo/page.html, where DEMO_DATA stands for what is shown.
 extern const char* const kDemoPageTemplate;
 
 /// One frame: a comparison sheet (see comparisonSheet()) as a PNG file.

@@ -74,55 +74,61 @@ TimerMode timerMode(const std::string& name) {
   return name == "host" ? TimerMode::Host : TimerMode::Device;
 }
 
+std::unique_ptr<OutputFiles> openOutput(const DenoiseOptions& options) {
+  if (options.debugTiles && options.output.empty())
+    refuse(kCommand, "--debug tiles", "--output as well", "none");
+  if (options.output.empty()) return nullptr;
+  return std::make_unique<OutputFiles>(options.output,
+                                       OutputFormats{options.png || !options.exr, options.exr});
+}
+
+// Denoises the frames, writes what there is to write of each, and fills the report's frames, errors and hash.
+void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& frames, bool debugTiles,
+                   DenoiseSession& session, const OutputFiles* files, DenoiseReport& report) {
+  OutputHash hash;
+  metrics::MotionCompensatedErrorMeter flicker;
+  Progress progress(kCommand, frames.size());
+  for (const int number : frames) {
+    const io::FrameData frame = sequence.read(number);
+    const DenoisedFrame denoised = session.denoise(frame);
+    hash.add(denoised.linear);
+    hash.add(denoised.display);
+    flicker.add(trackFrame(frame, denoised));
+    if (files != nullptr) files->write(number, denoised);
+    if (debugTiles) files->writeTiles(number, denoised, session.denoiser().backgroundMap());
+    if (const auto reference = sequence.reference(number)) {
+      if (frame.comparable()) report.errors.push_back(compareFrame(frame, denoised, *reference));
+      if (files != nullptr) files->writeComparison(frame, denoised, *reference);
+    }
+    ++report.frames;
+    progress.step(fmt::format("frame {}", number));
+  }
+  report.outputHash = hash.text();
+  report.temporalError = flicker.mean();
+}
+
 void runDenoise(const DenoiseOptions& options) {
   const std::unique_ptr<io::FrameSequence> sequence = openInput(options);
   const std::vector<int> frames = chooseFrames(options, *sequence);
   const Settings settings =
       applyMethodArguments(kCommand, options.method, defaultSettings(options.method.method, *sequence));
-  std::unique_ptr<OutputFiles> files;
-  if (options.debugTiles && options.output.empty())
-    refuse(kCommand, "--debug tiles", "--output as well", "none");
-  if (!options.output.empty())
-    files = std::make_unique<OutputFiles>(options.output,
-                                          OutputFormats{options.png || !options.exr, options.exr});
-
-  io::FrameData frame = sequence->read(frames.front());
+  const std::unique_ptr<OutputFiles> files = openOutput(options);
   const Options deviceOptions = makeOptions(options.device, timerMode(options.timers));
-  const MotionUse motion = options.motion == "off" ? MotionUse::Never : MotionUse::WherePresent;
-  DenoiseSession session(options.device.device, settings, deviceOptions, frame, motion);
+  DenoiseSession session(options.device.device, settings, deviceOptions, sequence->read(frames.front()),
+                         motionUse(options.motion));
   DenoiseReport report;
   report.device = session.device();
   report.settings = settings;
   report.size = {sequence->width(), sequence->height()};
-  OutputHash hash;
-  metrics::MotionCompensatedErrorMeter flicker;
-  Progress progress("denoise", frames.size());
-  for (const int number : frames) {
-    if (number != frame.number) frame = sequence->read(number);
-    const DenoisedFrame denoised = session.denoise(frame);
-    hash.add(denoised.linear);
-    hash.add(denoised.display);
-    flicker.add(trackFrame(frame, denoised));
-    if (files) files->write(number, denoised);
-    if (options.debugTiles) files->writeTiles(number, denoised, session.denoiser().backgroundMap());
-    if (const auto reference = sequence->reference(number)) {
-      if (frame.comparable()) report.errors.push_back(compareFrame(frame, denoised, *reference));
-      if (files) files->writeComparison(frame, denoised, *reference);
-    }
-    ++report.frames;
-    progress.step(fmt::format("frame {}", number));
-  }
-
+  denoiseFrames(*sequence, frames, options.debugTiles, session, files.get(), report);
   report.memory = session.denoiser().memoryUse();
-  report.outputHash = hash.text();
-  report.temporalError = flicker.mean();
   if (options.timers != "off") report.timings = session.timings();
   if (options.copyBandwidth) {
     const CopyBandwidth copy = measureCopy(session);
     report.copyMs = copy.copyMs;
     report.copyGbs = copy.gigabytesPerSecond;
   }
-  if (!options.json.empty()) io::writeTextFile(options.json, toJson(report).dump(2) + "\n");
+  writeJson(options.json, toJson(report));
   print(report);
   if (files) fmt::print("\npictures and frames are in {}\n", options.output);
 }
@@ -151,14 +157,8 @@ void addDenoiseCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--still-camera", options->stillCamera,
                     "The camera of the built-in sequence stands still");
-  command->add_option("--signals", options->signals, "1, or 2: diffuse and glossy light side by side")
-      ->check(CLI::Range(1, 2))
-      ->capture_default_str();
-  command
-      ->add_option("--motion", options->motion,
-                   "Motion vectors and object ids: auto, used where the sequence has them, or off")
-      ->check(CLI::IsMember({"auto", "off"}))
-      ->capture_default_str();
+  addSignalsOption(*command, options->signals);
+  addMotionOption(*command, options->motion);
   command->add_option("--timers", options->timers, "Where stage times come from")
       ->check(CLI::IsMember({"device", "host", "off"}))
       ->capture_default_str();

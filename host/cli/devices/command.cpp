@@ -4,11 +4,10 @@
 #include <quell/devices.hpp>
 
 #include "host/cli/common/commands.hpp"
+#include "host/cli/common/figures.hpp"
 
 namespace quell::cli {
 namespace {
-
-constexpr double kMebibyte = 1024.0 * 1024.0;
 
 const char* yesNo(bool value) { return value ? "yes" : "no"; }
 
@@ -20,7 +19,7 @@ void printDevices() {
     fmt::print("     platform        {}\n", info.platformName);
     fmt::print("     type            {}, {} compute units\n", info.type, info.computeUnits);
     fmt::print("     version         {} (driver {})\n", info.version, info.driverVersion);
-    fmt::print("     global memory   {:.0f} MiB\n", static_cast<double>(info.globalMemoryBytes) / kMebibyte);
+    fmt::print("     global memory   {:.0f} MiB\n", mebibytes(info.globalMemoryBytes));
     fmt::print("     local memory    {} KiB per work-group of at most {} work-items\n",
                info.localMemoryBytes / 1024, info.maxWorkGroup);
     fmt::print("     event profiling {}   images {}   half arithmetic {} (not needed)\n",

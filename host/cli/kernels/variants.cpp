@@ -4,8 +4,9 @@
 #include <quell/quell.hpp>
 #include <vector>
 
+#include "host/cli/common/command_arguments.hpp"
+#include "host/cli/kernels/kernel_list.hpp"
 #include "host/core/frame_images.hpp"
-#include "host/core/kernel_list.hpp"
 
 namespace quell::cli {
 namespace {
@@ -77,7 +78,7 @@ void addConfiguration(KernelVariants& variants, const Configuration& configurati
     for (const KernelUse& use : listKernels(configuration))
       variants[{use.stem, use.options}].insert(configuration.settings.method());
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::InvalidArgument && error.code() != ErrorCode::OutOfRange) throw;
+    if (!isRefusal(error)) throw;
   }
 }
 

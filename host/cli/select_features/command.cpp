@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "host/cli/common/commands.hpp"
+#include "host/cli/common/output_files.hpp"
 #include "host/cli/select_features/selection.hpp"
-#include "host/io/atomic_file.hpp"
 #include "kernels/fit_params.h"
 
 namespace quell::cli {
@@ -30,7 +30,7 @@ void runSelectFeatures(const SelectOptions& options) {
   const std::vector<SelectionStep> steps = selectFeatures(selection);
   print(steps);
   std::fflush(stdout);  // the file may go to the same place
-  if (!options.json.empty()) io::writeTextFile(options.json, toJson(steps).dump(2) + "\n");
+  writeJson(options.json, toJson(steps));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "host/cli/common/commands.hpp"
+#include "host/cli/common/output_files.hpp"
 #include "host/cli/tune/plan.hpp"
 #include "host/cli/tune/report.hpp"
 #include "host/io/atomic_file.hpp"
@@ -47,7 +48,7 @@ void runTune(const TuneArguments& arguments) {
                                    plans, inputs, confirmation);
   fmt::print("{}", toText(result));
   std::fflush(stdout);  // the files may go to the same place
-  if (!arguments.json.empty()) io::writeTextFile(arguments.json, toJson(result).dump(2) + "\n");
+  writeJson(arguments.json, toJson(result));
   if (!arguments.markdown.empty()) io::writeTextFile(arguments.markdown, toMarkdown(result));
 }
 
@@ -58,9 +59,7 @@ void addSequenceOptions(CLI::App& command, TuneArguments& arguments) {
       ->required();
   command.add_option("--confirm", arguments.confirm,
                      "Other sequences, to see whether the Pareto set holds there");
-  command.add_option("--signals", arguments.input.signals, "1, or 2: diffuse and glossy light side by side")
-      ->check(CLI::Range(1, 2))
-      ->capture_default_str();
+  addSignalsOption(command, arguments.input.signals);
   command
       .add_option("--frames", arguments.input.mostFrames,
                   "Run the first N frames of every sequence; default: all")

@@ -1,9 +1,9 @@
-#include "host/core/kernel_list.hpp"
+#include "host/cli/kernels/kernel_list.hpp"
 
 #include "host/core/stage.hpp"
 #include "host/methods/method.hpp"
 
-namespace quell {
+namespace quell::cli {
 namespace {
 
 /// Writes down what it is asked for.
@@ -34,4 +34,4 @@ std::vector<KernelUse> listKernels(const Configuration& configuration) {
   return uses;
 }
 
-}  // namespace quell
+}  // namespace quell::cli

@@ -6,7 +6,7 @@
 
 #include "host/core/schedule.hpp"
 
-namespace quell {
+namespace quell::cli {
 
 /// One compilation of a kernel.
 struct KernelUse {
@@ -18,4 +18,4 @@ struct KernelUse {
 /// is needed. Throws what prepare() would throw for settings that do not go together.
 std::vector<KernelUse> listKernels(const Configuration& configuration);
 
-}  // namespace quell
+}  // namespace quell::cli
