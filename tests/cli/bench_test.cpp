@@ -381,8 +381,6 @@ TEST_CASE("bench says what changed beyond noise", "[cli]") {
   CHECK_THROWS_AS(cli::compareBench({{"runs", {{{"run", "bmfr"}}}}}, before, "old.json"), Error);
 }
 
-TEST_CASE("bench has a help text", "[cli]") { CHECK(quell({"bench", "--help"}) == 0); }
-
 TEST_CASE("bench takes lists of features, separated by semicolons", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.path() + "/bench.json";

@@ -208,10 +208,6 @@ TEST_CASE("f-beta writes its table as a picture and finds it again", "[cli]") {
   CHECK(quell({"f-beta", "--output", directory.file("none/table.exr"), "--no-cache"}) == 1);
 }
 
-TEST_CASE("help names every command and setting", "[cli]") {
-  CHECK(quell({"--help"}) == 0);
-  CHECK(quell({"denoise", "--help"}) == 0);
-  CHECK(quell({"devices"}) == 0);
-}
+TEST_CASE("devices are listed", "[cli]") { CHECK(quell({"devices"}) == 0); }
 
 }  // namespace quell::tests
