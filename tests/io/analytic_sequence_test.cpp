@@ -10,6 +10,8 @@
 #include <quell/error.hpp>
 #include <vector>
 
+#include "tests/support/error_matcher.hpp"
+
 using quell::Error;
 using quell::ErrorCode;
 using quell::Matrix4;
@@ -119,16 +121,6 @@ Moments momentsOfRadiance(const FrameSequence& sequence, std::size_t valueCount)
   }
   for (std::size_t i = 0; i < valueCount; ++i) moments.variance[i] -= moments.mean[i] * moments.mean[i];
   return moments;
-}
-
-void requireInvalid(const AnalyticOptions& options) {
-  try {
-    makeAnalyticSequence(options);
-  } catch (const Error& error) {
-    REQUIRE(error.code() == ErrorCode::InvalidArgument);
-    return;
-  }
-  FAIL("no error");
 }
 
 }  // namespace
@@ -303,5 +295,6 @@ TEST_CASE("analytic sequence: bad options are refused", "[io][errors]") {
   SECTION("negative thread count") { options.threadCount = -1; }
   SECTION("offset is not a number") { options.worldOffset[1] = std::numeric_limits<double>::quiet_NaN(); }
   SECTION("infinite offset") { options.worldOffset[2] = std::numeric_limits<double>::infinity(); }
-  requireInvalid(options);
+  REQUIRE_THROWS_MATCHES(makeAnalyticSequence(options), Error,
+                         quell::tests::failsWith(ErrorCode::InvalidArgument));
 }
