@@ -6,10 +6,9 @@
 #include <string>
 
 #include "host/cli/kernel_variants.hpp"
-#include "host/cli/run_tool.hpp"
-#include "host/io/atomic_file.hpp"
 #include "quell/quell.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/tool.hpp"
 
 namespace quell::tests {
 namespace {
@@ -56,7 +55,7 @@ TEST_CASE("kernels writes options and complete sources", "[cli]") {
   const char* arguments[] = {"quell",     "kernels", "--methods", "atrous",
                              "--mapping", "wide",    "--json",    file.c_str()};
   REQUIRE(cli::runTool(8, arguments) == 0);
-  const json list = json::parse(io::readFile(file));
+  const json list = readJson(file);
   REQUIRE_FALSE(list.at("kernels").empty());
   for (const json& kernel : list.at("kernels")) {
     CHECK(kernel.at("methods") == json::array({"atrous"}));

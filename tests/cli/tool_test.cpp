@@ -1,4 +1,6 @@
 // The quell tool as a user runs it: files, reports and messages.
+#include "tests/support/tool.hpp"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -9,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "host/cli/run_tool.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/png_image.hpp"
@@ -19,14 +20,6 @@ namespace quell::tests {
 namespace {
 
 namespace fs = std::filesystem;
-
-int quell(std::vector<std::string> arguments) {
-  std::vector<const char*> argv = {"quell"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return cli::runTool(static_cast<int>(argv.size()), argv.data());
-}
-
-const std::string kData = std::string(QUELL_DATA_DIR) + "/colonnade";
 
 // Two frames of data/colonnade with light of two kinds added.
 void writeTwoSignals(const std::string& directory) {
@@ -72,7 +65,7 @@ TEST_CASE("denoise writes frames, pictures and a report", "[cli]") {
   }
   CHECK(io::readPng(out + "/comparison_0015.png").width == 3 * 240);
 
-  const auto report = nlohmann::json::parse(io::readFile(json));
+  const auto report = readJson(json);
   CHECK(report.at("method") == "bmfr");
   CHECK(report.at("width") == 240);
   CHECK(report.at("height") == 135);
@@ -98,7 +91,7 @@ TEST_CASE("compare reads what denoise wrote", "[cli]") {
   REQUIRE(quell({"compare", "--reference", kData + "/ref_a_color_0015.exr," + kData + "/ref_b_color_0015.exr",
                  out + "/denoised_0015.exr", out + "/display_0015.png", "--json", json, "--heatmap",
                  directory.path() + "/heat"}) == 0);
-  const auto report = nlohmann::json::parse(io::readFile(json));
+  const auto report = readJson(json);
   CHECK(report.dump().find("unbiased_rmse") != std::string::npos);
   CHECK_FALSE(fs::is_empty(directory.path() + "/heat"));
 }
@@ -128,7 +121,7 @@ TEST_CASE("denoise takes two signals where the sequence has them", "[cli]") {
     const auto hashOf = [&](const char* signals) {
       REQUIRE(quell({"denoise", "--method", method, "--input", input, "--signals", signals, "--output",
                      directory.path() + "/out", "--json", json}) == 0);
-      const auto report = nlohmann::json::parse(io::readFile(json));
+      const auto report = readJson(json);
       CHECK(report.at("frames") == 2);
       return report.at("output_hash").get<std::string>();
     };
@@ -159,7 +152,7 @@ TEST_CASE("denoise starts from presets and leaves light undivided on demand", "[
     more.insert(more.begin(),
                 {"denoise", "--method", "svgf", "--size", "40x30", "--frame-count", "2", "--json", json});
     REQUIRE(quell(std::move(more)) == 0);
-    return nlohmann::json::parse(io::readFile(json)).at("settings");
+    return readJson(json).at("settings");
   };
   CHECK(settingsOf({}).at("demodulate") == "albedo");
   const auto chosen = settingsOf({"--preset", "paper", "--demodulate", "none", "--set", "iterations=3"});
@@ -184,7 +177,7 @@ TEST_CASE("host times and the copy bandwidth need no profiling queue", "[cli]") 
   const std::string json = directory.path() + "/report.json";
   REQUIRE(quell({"denoise", "--size", "40x30", "--frame-count", "2", "--timers", "host", "--copy-bandwidth",
                  "--json", json}) == 0);
-  const auto report = nlohmann::json::parse(io::readFile(json));
+  const auto report = readJson(json);
   CHECK(report.at("time_source") == "host");
   CHECK(report.at("copy_ms").get<double>() > 0.0);
 }

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "host/cli/pareto_set.hpp"
-#include "host/cli/run_tool.hpp"
 #include "host/cli/text_table.hpp"
 #include "host/cli/tune_plan.hpp"
 #include "host/cli/tune_result.hpp"
 #include "host/io/atomic_file.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/tool.hpp"
 
 namespace quell::tests {
 namespace {
@@ -20,12 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const std::string kData = std::string(QUELL_DATA_DIR) + "/colonnade";
-
 int tune(std::vector<std::string> arguments) {
-  std::vector<const char*> argv = {"quell", "tune"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return cli::runTool(static_cast<int>(argv.size()), argv.data());
+  arguments.insert(arguments.begin(), "tune");
+  return quell(arguments);
 }
 
 // Links frames first..last of data/colonnade into a new directory, with the references among them.
@@ -146,7 +143,7 @@ TEST_CASE("tune writes the Pareto set, and what became of it on other sequences"
   // Three settings in groups of two, so that the defaults run in each.
   REQUIRE(tune({"--method", "atrous", "--input", tuned, "--confirm", confirmed, "--vary", "iterations=1,3",
                 "--repeat", "1", "--at-once", "2", "--json", file, "--markdown", markdown}) == 0);
-  const json result = json::parse(io::readFile(file));
+  const json result = readJson(file);
   CHECK(result.at("method") == "atrous");
   CHECK(result.at("copy_ms").get<double>() > 0.0);
   const json& sequence = result.at("tuned").at("sequences").at(0);
@@ -156,9 +153,8 @@ TEST_CASE("tune writes the Pareto set, and what became of it on other sequences"
 
   const json& settings = result.at("tuned").at("settings");
   REQUIRE(settings.size() == 3);
-  CHECK(settings[0].at("settings") == json::object());
-  CHECK(settings[1].at("settings").at("iterations") == "1");
-  CHECK(settings[2].at("settings").at("iterations") == "3");
+  const json expected[] = {json::object(), {{"iterations", "1"}}, {{"iterations", "3"}}};
+  for (std::size_t i = 0; i < 3; ++i) CHECK(settings[i].at("settings") == expected[i]);
   CHECK(settings[0].at("relative_rmse") == 1.0);
   CHECK(settings[0].at("relative_time") == 1.0);
   std::size_t best = 1;  // the defaults go along
@@ -177,10 +173,9 @@ TEST_CASE("tune writes the Pareto set, and what became of it on other sequences"
 
   // The figures are those of quell denoise.
   const std::string report = directory.file("denoise.json");
-  const char* denoise[] = {"quell",        "denoise", "--method",    "atrous", "--set",
-                           "iterations=3", "--input", tuned.c_str(), "--json", report.c_str()};
-  REQUIRE(cli::runTool(10, denoise) == 0);
-  const json linear = json::parse(io::readFile(report)).at("errors").at(0).at("linear");
+  REQUIRE(quell({"denoise", "--method", "atrous", "--set", "iterations=3", "--input", tuned, "--json",
+                 report}) == 0);
+  const json linear = readJson(report).at("errors").at(0).at("linear");
   const json& third = settings[2].at("sequences").at(0);
   for (const char* figure : {"unbiased_rmse", "ssim", "flip"})
     CHECK(third.at(figure).get<double>() == Approx(linear.at(figure).get<double>()));
@@ -198,7 +193,7 @@ TEST_CASE("tune goes on without settings that the library refuses", "[cli]") {
   // Householder's solver, the default, has no overlapping windows.
   REQUIRE(tune({"--method", "bmfr", "--input", sequence, "--vary", "windows=overlap", "--repeat", "1",
                 "--json", file}) == 0);
-  const json tuned = json::parse(io::readFile(file)).at("tuned");
+  const json tuned = readJson(file).at("tuned");
   REQUIRE(tuned.at("settings").size() == 1);  // the defaults
   REQUIRE(tuned.at("refused").size() == 1);
   CHECK(tuned.at("refused")[0].at("settings") == "windows=overlap");
