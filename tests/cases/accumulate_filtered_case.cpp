@@ -28,7 +28,8 @@ void AccumulateFilteredCase::upload() {
 
 Comparison AccumulateFilteredCase::compare() {
   Comparison comparison;
-  comparePixels(comparison, "filtered", filtered(), accumulateFilteredOracle(inputs));
+  comparePixels(comparison, "filtered", filtered(), accumulateFilteredOracle(inputs), nullptr, nullptr,
+                lightUnit());
   return comparison;
 }
 

@@ -118,12 +118,12 @@ void comparePixelPrev(Comparison& comparison, const Planes& device, const ExactP
 
 // A difference: relative to the larger of what it is taken of.
 void compareInnovation(Comparison& comparison, const AccumulateNoisyOutputs<float>& device,
-                       const AccumulateNoisyExact& exact) {
+                       const AccumulateNoisyExact& exact, double unit) {
   for (int planeOfAll = 0; planeOfAll < device.innovation.count; ++planeOfAll) {
     const int signal = planeOfAll / QUELL_INNOVATION_PLANES;
     forEachPixel(device.innovation.size(), [&](int x, int y) {
       if (exact.undecided.at(0, x, y)) return;
-      double scale = 1.0;
+      double scale = unit;
       for (int plane = 3 * signal; plane < 3 * signal + 3; ++plane)
         scale = std::max({scale, exact.outputs.newestIrradiance.at(plane, x, y),
                           exact.outputs.irradiance.at(plane, x, y)});
@@ -173,6 +173,14 @@ void AccumulateNoisyCase::upload() {
   if (m_variant.objectId) m_harness.upload("objectIds.prev", inputs.objectIdsPrev);
 }
 
+std::vector<LightInput> AccumulateNoisyCase::light() {
+  std::vector<LightInput> all = lightOf(inputs.material);
+  const std::vector<LightInput> moments = momentsOf(inputs.momentsPrev);
+  all.push_back(lightOf(inputs.irradiancePrev));
+  all.insert(all.end(), moments.begin(), moments.end());
+  return all;
+}
+
 AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
   const auto downloadIf = [&](bool wanted, const char* name) {
     return wanted ? m_harness.download(name) : Planes();
@@ -197,20 +205,22 @@ Comparison AccumulateNoisyCase::compare() {
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
   const auto* excluded = &exact.undecided;
-  comparePixels(comparison, "irradiance", device.irradiance, exact.outputs.irradiance, excluded);
+  comparePixels(comparison, "irradiance", device.irradiance, exact.outputs.irradiance, excluded, nullptr,
+                lightUnit());
   comparePixels(comparison, "historyLength", device.historyLength, exact.outputs.historyLength, excluded);
   comparePixels(comparison, "guides", device.guides, exact.outputs.guides, excluded);
   comparePixels(comparison, "reprojectionMask", device.reprojectionMask, exact.outputs.reprojectionMask,
                 excluded);
-  const auto compareIfPresent = [&](const char* name, const Planes& planes, const ExactPlanes& expected) {
-    if (planes.count > 0) comparePixels(comparison, name, planes, expected, excluded);
+  const auto compareIfPresent = [&](const char* name, const Planes& planes, const ExactPlanes& expected,
+                                    double unit = 1.0) {
+    if (planes.count > 0) comparePixels(comparison, name, planes, expected, excluded, nullptr, unit);
   };
-  compareIfPresent("moments", device.moments, exact.outputs.moments);
+  if (device.moments.count > 0) compareMoments(comparison, device.moments, exact.outputs.moments, excluded);
   compareIfPresent("viewDepth", device.viewDepth, exact.outputs.viewDepth);
   compareIfPresent("roughness", device.roughness, exact.outputs.roughness);
   compareIfPresent("objectIds", device.objectIds, exact.outputs.objectIds);
-  compareIfPresent("newestIrradiance", device.newestIrradiance, exact.outputs.newestIrradiance);
-  if (device.innovation.count > 0) compareInnovation(comparison, device, exact);
+  compareIfPresent("newestIrradiance", device.newestIrradiance, exact.outputs.newestIrradiance, lightUnit());
+  if (device.innovation.count > 0) compareInnovation(comparison, device, exact, lightUnit());
   comparePixelPrev(comparison, device.pixelPrev, exact.outputs.pixelPrev, exact.undecided);
   return comparison;
 }

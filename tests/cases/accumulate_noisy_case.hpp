@@ -41,6 +41,9 @@ class AccumulateNoisyCase : public StageCase {
   /// After inputs.reprojection was changed.
   void useReprojection(const ReprojectionParams& reprojection);
 
+ protected:
+  std::vector<LightInput> light() override;
+
  private:
   const std::string& previousIrradiance() const { return m_harness.row().reads.front(); }
 

@@ -47,8 +47,11 @@ Comparison AtrousCase::compare() {
   const AtrousExact exact = atrousOracle(inputs);
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
-  comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided);
-  if (filtersVariance()) comparePixels(comparison, "variance", variance(), exact.variance, &exact.undecided);
+  comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided, nullptr,
+                lightUnit());
+  if (filtersVariance())
+    comparePixels(comparison, "variance", variance(), exact.variance, &exact.undecided, nullptr,
+                  lightUnit() * lightUnit());
   return comparison;
 }
 

@@ -36,6 +36,11 @@ class AtrousCase : public StageCase {
   /// The last iteration of quell does not.
   bool filtersVariance() const { return m_harness.row().writes.size() > 1; }
   Planes variance() const { return m_harness.download(m_harness.row().writes[1]); }
+
+ protected:
+  std::vector<LightInput> light() override {
+    return {lightOf(inputs.irradiance), lightOf(inputs.variance, 2)};
+  }
 };
 
 }  // namespace quell::tests

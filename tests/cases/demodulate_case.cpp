@@ -67,7 +67,8 @@ Comparison DemodulateCase::compare() {
   const DemodulateExact exact = demodulateOracle(inputs);
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
-  comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided);
+  comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided, nullptr,
+                lightUnit());
   comparePixels(comparison, "guides", guides(), exact.guides, &exact.undecided);
   comparePixels(comparison, "viewDepth", m_harness.download("viewDepth"), exact.viewDepth, &exact.undecided);
   if (!inputs.roughness.empty())

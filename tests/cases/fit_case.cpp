@@ -10,7 +10,7 @@
 namespace quell::tests {
 namespace {
 
-constexpr double kLeastScale = 1e-3;  // irradiance below which errors are absolute
+constexpr double kLeastScale = 1e-3;  // share of the light's unit below which errors are absolute
 
 StageSetup makeFitSetup(const CaseOptions& options, FeatureStorage storage, double noiseAmplitude) {
   StageSetup setup = makeSetup(options);
@@ -19,8 +19,8 @@ StageSetup makeFitSetup(const CaseOptions& options, FeatureStorage storage, doub
   return setup;
 }
 
-double brightest(const FitInputs& inputs, int block) {
-  double brightest = kLeastScale;
+double brightest(const FitInputs& inputs, int block, double unit) {
+  double brightest = kLeastScale * unit;
   for (int row = 0; row < QUELL_BLOCK_PIXELS; ++row) {
     const BlockPixel pixel = blockPixel(inputs.params, block, row);
     if (!(inputs.guides.at(QUELL_GUIDE_WEIGHT, pixel.x, pixel.y) > 0.0f)) continue;
@@ -71,7 +71,7 @@ Comparison FitCase::compare() {
   for (int block = 0; block < int(exact.records.size()); ++block) {
     const FitRecord record = unpackRecord(device, block, inputs.list);
     const FitRecord& expected = exact.records[std::size_t(block)];
-    const double scale = brightest(inputs, block);
+    const double scale = brightest(inputs, block, lightUnit());
     for (int row = 0; row < QUELL_BLOCK_PIXELS; ++row) {
       const BlockPixel p = blockPixel(inputs.params, block, row);
       if (!(inputs.guides.at(QUELL_GUIDE_WEIGHT, p.x, p.y) > 0.0f)) continue;

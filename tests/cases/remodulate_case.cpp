@@ -38,7 +38,8 @@ Comparison RemodulateCase::compare() {
   const RemodulateExact exact = remodulateOracle(inputs);
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
-  compareOutput(comparison, m_harness, &Output::linear, exact.linear, &exact.undecided, &exact.magnitude);
+  compareOutput(comparison, m_harness, &Output::linear, exact.linear, &exact.undecided, &exact.magnitude,
+                lightUnit());
   if (m_isLast) {
     compareOutput(comparison, m_harness, &Output::display, exact.encoded, &exact.undecided);
   } else {

@@ -62,7 +62,7 @@ Comparison VarianceCase::compare() {
   for (int signal = 0; signal < device.count; ++signal) {
     forEachPixel(size(), [&](int x, int y) {
       comparison.include("variance", signal, x, y, device.at(signal, x, y), exact.variance.at(signal, x, y),
-                         std::max(1.0, exact.magnitude.at(signal, x, y)));
+                         std::max(lightUnit() * lightUnit(), exact.magnitude.at(signal, x, y)));
     });
   }
   return comparison;

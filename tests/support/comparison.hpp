@@ -33,11 +33,12 @@ class Comparison {
   std::string m_worst = "no error";
 };
 
-/// Compares all values, the scale of a pixel being the largest magnitude of its components, at least 1 and at
-/// least what `scales` says (1 plane).
+/// Compares all values, the scale of a pixel being the largest magnitude of its components, at least `unit` and at
+/// least what `scales` says (1 plane). The unit is the size of what the values were made from, neighbours included: 1
+/// for directions, weights and encoded colours.
 void comparePixels(Comparison& comparison, const std::string& what, const Planes& device,
                    const ExactPlanes& exact, const BasicPlanes<char>* excluded = nullptr,
-                   const ExactPlanes* scales = nullptr);
+                   const ExactPlanes* scales = nullptr, double unit = 1.0);
 
 /// True if both have the same bits everywhere, `except` apart (pixels that are true there may differ).
 bool sameBits(const Planes& a, const Planes& b, const BasicPlanes<char>* except = nullptr);
