@@ -37,13 +37,9 @@ TEST_CASE("demodulate does not depend on the work-group") {
 }
 
 TEST_CASE("demodulate gives finite values for any input, and bad pixels do not leak") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     DemodulateCase demodulate(options, kEverything);
-    demodulate.upload();
-    demodulate.run();
+    demodulate.uploadAndRun();
     const Planes irradiance = demodulate.irradiance(), guides = demodulate.guides();
     BasicPlanes<char> spoiled(options.size, 1);
     auto& inputs = demodulate.inputs;

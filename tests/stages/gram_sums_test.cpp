@@ -26,8 +26,7 @@ std::string describe(const GramWindows& windows) {
 
 Planes tilesOf(const CaseOptions& options, const GramWindows& windows) {
   GramSumsCase sums(options, windows);
-  sums.upload();
-  sums.run();
+  sums.uploadAndRun();
   return sums.tiles();
 }
 
