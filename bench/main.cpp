@@ -6,8 +6,8 @@
 #include <regex>
 #include <string>
 
-#include "bench/copy_bandwidth.hpp"
 #include "bench/stage_bench.hpp"
+#include "host/measure/copy_bandwidth.hpp"
 #include "tests/support/stage_harness.hpp"
 
 namespace {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "host/core/median.hpp"
 #include "tests/cases/accumulate_filtered_case.hpp"
 #include "tests/cases/accumulate_noisy_case.hpp"
 #include "tests/cases/atrous_case.hpp"
@@ -155,8 +156,8 @@ StageTimes timeStage(const StageEntry& stage, Size size, int repeat) {
   for (int i = 0; i < kWarmUps; ++i) stageCase->run();
   std::vector<double> times;
   for (int i = 0; i < repeat; ++i) times.push_back(stageCase->run());
-  std::sort(times.begin(), times.end());
-  return {times[times.size() / 2], times.front(), times.back(), stageCase->bytesMoved()};
+  const auto [least, most] = std::minmax_element(times.begin(), times.end());
+  return {median(times), *least, *most, stageCase->bytesMoved()};
 }
 
 }  // namespace quell::bench

@@ -8,7 +8,11 @@ cmake_minimum_required(VERSION 3.22)
 # log names the true file and line.
 function(expand_includes file seen_variable result_variable)
   set(seen ${${seen_variable}})
-  file(READ "${KERNEL_DIR}/${file}" rest)
+  if(EXISTS "${KERNEL_DIR}/${file}")
+    file(READ "${KERNEL_DIR}/${file}" rest)
+  else()
+    file(READ "${KERNEL_DIR}/../include/${file}" rest)  # public headers that kernels share
+  endif()
   set(text "#line 1 \"${file}\"\n")
   set(line 1)
   while(TRUE)

@@ -3,9 +3,10 @@
 //          decisions of the first accumulation are reused; weight of the new frame max(1 / n, leastWeight).
 // In:      fitted irradiance (3 planes per signal), filtered irradiance of the frame before, pixel index in the frame
 //          before, reprojection mask and history length (per signal). Out: filtered irradiance (3 planes per signal).
-#include "accumulate_filtered_params.h"
+#include "accumulate_filtered_ports.h"
 #include "common/guides.h"
 #include "common/reprojection.h"
+#include "common/surfaces.h"
 
 // The pointers are those of the signal, moved to the pixel; `history` to its plane.
 QUELL_INLINE void accumulateSignal(__global const float* fitted, __global const float* history,
@@ -28,20 +29,14 @@ QUELL_INLINE void accumulateSignal(__global const float* fitted, __global const 
   storeLanes3(add3(scale3(newest, blend), scale3(mean, 1.0f - blend)), filtered, 0, planes.stride);
 }
 
-__kernel void accumulate_filtered(__global const float* fitted, __global const float* filteredPrev,
-                                  __global const float* pixelPrev, __global const uchar* reprojectionMask,
-                                  __global const uchar* historyLength, __global float* filtered,
-                                  AccumulateFilteredParams params) {
-  const PlaneParams planes = params.planes;
-  const int x = (int)get_global_id(0) * QUELL_LANES;
-  const int y = (int)get_global_id(1);
-  if (x >= planes.width || y >= planes.height) return;
-  const int index = planeIndex(planes, x, y);
+__kernel void accumulate_filtered(STAGE_ARGUMENTS(ACCUMULATE_FILTERED) AccumulateFilteredParams params) {
+  BEGIN_PIXELS(params.planes);
+  LEAVE_OUT_BACKGROUND(NOTHING_ELSE)
   const BilinearTaps taps =
-      bilinearTaps(planes, loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + planes.stride));
+      bilinearTaps(planes, loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + stride));
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    const int plane = 3 * s * planes.stride;
-    const int bytes = s * planes.stride + index;
+    const int plane = 3 * s * stride;
+    const int bytes = s * stride + index;
     accumulateSignal(fitted + plane + index, filteredPrev + plane, taps,
                      loadByteLanes(reprojectionMask + bytes), TO_FLOAT(loadByteLanes(historyLength + bytes)),
                      filtered + plane + index, params);

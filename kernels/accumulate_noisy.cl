@@ -3,8 +3,8 @@
 //          also the temporal accumulation of Schied et al. 2017 (Flatval 2020, ch. 3.2: the second moment "is blended
 //          and accumulated just like the light samples").
 // In:      the caller's radiance (or diffuse and glossy radiance), normal, position (or view depth), optional emission,
-//          albedo, gloss colour, roughness, motion vectors and object ids, any layout; irradiance, history length,
-//          guides, moments and object ids of the frame before.
+//          albedo, gloss colour, roughness, F0, motion vectors and object ids, any layout; the table of F_beta where
+//          light is divided by it; irradiance, history length, guides, moments and object ids of the frame before.
 // Out:     per signal: irradiance (3 planes), history length (bytes), reprojection mask (bytes) and, with MOMENTS, the
 //          moments of luminance (2 planes); guides (see common/guides.h); pixel index in the frame before (2 planes);
 //          F_beta (3 planes) where light is divided by it;
@@ -20,7 +20,8 @@
 //          fills; one in position or normal makes it pass through; positions are
 //          relative to the camera; see common/reprojection.h, common/motion_images.h and common/demodulation.h for
 //          the rest.
-#include "accumulate_noisy_params.h"
+#include "accumulate_noisy_ports.h"
+#include "common/f_beta_images.h"
 #include "common/filter_input.h"
 #include "common/luminance.h"
 #include "common/motion_images.h"
@@ -57,6 +58,42 @@ QUELL_INLINE History addTap(History history, floatL weight, GatherPlan plan, int
   history.secondMoment += weight * gatherLanes(moments + QUELL_MOMENT_SECOND * stride, plan);
 #endif
   return history;
+}
+
+// Planes of the frame before.
+typedef struct PreviousPlanes {
+  __global const float* guides;
+  __global const float* irradiance;
+  __global const float* moments;
+  __global const uchar* historyLength;
+  __global const int* objectIds;
+} PreviousPlanes;
+
+// Adds tap i, where it is `wanted` and shows this surface, to the history of every signal that it has a sample of.
+QUELL_INLINE void addSurfaceTap(PreviousPlanes previous, AccumulateNoisyParams params, Surface surface,
+                                intL objectId, floatL limitSquared, intL wanted, BilinearTaps taps, int i,
+                                History* history, intL* mask, Turn* turn) {
+  const int stride = params.planes.stride;
+  const int offset = tapOffset(params.planes, i);
+  const float3L position =
+      gatherLanes3(previous.guides + QUELL_GUIDE_POSITION * stride + offset, taps.plan, stride);
+  const float3L normal =
+      gatherLanes3(previous.guides + QUELL_GUIDE_NORMAL * stride + offset, taps.plan, stride);
+  const intL same = wanted && taps.inFrame[i] &&
+                    sameHistory(params.reprojection, surface, objectId, position, normal,
+                                previous.objectIds + offset, taps.plan, limitSquared);
+  *turn = addNormal(*turn, same ? taps.weight[i] : ZERO_LANES, normal);
+  UNROLL_ON_GPU
+  for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    const floatL weight =
+        taps.weight[i] * gatherLanes(previous.guides + (QUELL_GUIDE_WEIGHT + s) * stride + offset, taps.plan);
+    const intL accepted = same && weight > 0.0f;
+    history[s] = addTap(history[s], accepted ? weight : ZERO_LANES, taps.plan, stride,
+                        previous.irradiance + 3 * s * stride + offset,
+                        previous.moments + QUELL_MOMENT_PLANES * s * stride + offset,
+                        previous.historyLength + s * stride + offset);
+    mask[s] = mask[s] | (accepted ? (intL)(QUELL_TAP_ACCEPTED(i)) : (intL)(0));
+  }
 }
 
 QUELL_INLINE History normaliseHistory(History history) {
@@ -114,17 +151,15 @@ QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL
 
 #if SKIP
 // What others must find in pixels without a surface: nothing to filter, no history; see common/surfaces.h. Where the
-// background was matters to temporal_antialiasing alone, and to it only if rays are jittered.
-QUELL_INLINE void storeBackground(AccumulateNoisyParams params, __global const uchar* motionData, int x,
-                                  int y, int lanes, __global float* guides, __global uchar* historyLength,
+// background was matters to temporal_antialiasing alone, and to it only if it takes part there.
+QUELL_INLINE void storeBackground(AccumulateNoisyParams params, FrameImages images, int x, int y, int lanes,
+                                  __global float* guides, __global uchar* historyLength,
                                   __global float* pixelPrev, __global uchar* reprojectionMask,
                                   __global float* viewDepth) {
   const int stride = params.planes.stride;
   const int index = planeIndex(params.planes, x, y);
-  for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    storeLanes(ZERO_LANES, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
-    storeByteLanes((intL)(0), historyLength + s * stride + index);
-  }
+  storeBackgroundWeights(guides, index, stride);
+  for (int s = 0; s < QUELL_SIGNALS; ++s) storeByteLanes((intL)(0), historyLength + s * stride + index);
 #if MOTION_FORMAT
   // How far a surface has turned is told by normals alone: those of earlier frames must not take part.
   storeLanes3(splat3(0.0f), guides + QUELL_GUIDE_NORMAL * stride, index, stride);
@@ -132,60 +167,43 @@ QUELL_INLINE void storeBackground(AccumulateNoisyParams params, __global const u
 #if FILTER_GUIDES
   storeLanes((floatL)(params.reprojection.viewDepth.w), viewDepth + index);
 #endif
-  if (params.jitters == 0) return;
+  if (params.antialiasBackground == 0) return;
   Surface none;
   none.position = splat3(0.0f);
   none.normal = none.position;
   none.valid = none.position.x != 0.0f;
   floatL xPrev, yPrev;
-  const intL inside = findPrevious(params.reprojection, motionData, params.motion, params.planes, none, x, y,
-                                   lanes, &xPrev, &yPrev);
+  const intL inside =
+      findPrevious(images, params.reprojection, params.planes, none, x, y, lanes, &xPrev, &yPrev);
   storeLanes(xPrev, pixelPrev + index);
   storeLanes(yPrev, pixelPrev + index + stride);
   storeByteLanes(inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0), reprojectionMask + index);
 }
 #endif
 
-__kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARGUMENTS, MOTION_ARGUMENTS,
-                               __global const float* irradiancePrev, __global const uchar* historyLengthPrev,
-                               __global const float* guidesPrev, __global const float* momentsPrev,
-                               __global const int* objectIdsPrev, __global float* irradiance,
-                               __global uchar* historyLength, __global float* guides, __global float* moments,
-                               __global int* objectIds, __global float* pixelPrev,
-                               __global uchar* reprojectionMask, __global float* viewDepth,
-                               __global float* roughness, __global float* fBetaPlanes,
-                               __global float* newestIrradiance, __global float* innovation,
-                               __global uchar* surfaces, AccumulateNoisyParams params) {
-  const PlaneParams planes = params.planes;
-  const int stride = planes.stride;
-  const int x = (int)get_global_id(0) * QUELL_LANES;
-  const int y = (int)get_global_id(1);
-  if (x >= planes.width || y >= planes.height) return;
+__kernel void accumulate_noisy(STAGE_ARGUMENTS(ACCUMULATE_NOISY) AccumulateNoisyParams params) {
+  BEGIN_PIXELS(params.planes);
+  BIND_FRAME_IMAGES(ACCUMULATE_NOISY, params.images);
   const int lanes = min(QUELL_LANES, planes.width - x);
-  const int index = planeIndex(planes, x, y);
-
 #if SKIP
-  const int hasSurface = anyLane(hasNormal(normalData, params.surface, x, y, lanes));
-  surfaces[surfaceIndex(planes, x, y)] = (uchar)(hasSurface ? 1 : 0);
-  if (!hasSurface) {
-    storeBackground(params, motionData, x, y, lanes, guides, historyLength, pixelPrev, reprojectionMask,
+  if (!markSurface(images, surfaces, planes, x, y, lanes)) {
+    storeBackground(params, images, x, y, lanes, guides, historyLength, pixelPrev, reprojectionMask,
                     viewDepth);
     return;
   }
 #endif
-  const Surface surface =
-      loadSurface(normalData, positionData, params.surface, params.reprojection, x, y, lanes);
-  const float3L fBeta = loadFBeta(roughnessData, f0Data, fBetaTable, params.material, surface.position,
-                                  surface.normal, x, y, lanes);
-  keepFBeta(fBeta, fBetaPlanes, index, stride);
-  const Material material = LOAD_MATERIAL(params.material, fBeta, x, y, lanes);
+  const Surface surface = loadSurface(images, params.reprojection, x, y, lanes);
+  const float3L fBetaHere =
+      loadFBeta(images, fBetaTable, params.reprojection, surface.position, surface.normal, x, y, lanes);
+  keepFBeta(fBetaHere, fBeta, index, stride);
+  const Material material = loadMaterial(images, fBetaHere, x, y, lanes);
 
   floatL xPrev, yPrev;
-  const intL inside = findPrevious(params.reprojection, motionData, params.motion, planes, surface, x, y,
-                                   lanes, &xPrev, &yPrev);
-  const intL objectId = loadObjectId(objectIdData, params.motion, x, y, lanes);
+  const intL inside = findPrevious(images, params.reprojection, planes, surface, x, y, lanes, &xPrev, &yPrev);
+  const intL objectId = loadObjectId(images, x, y, lanes);
   const BilinearTaps taps = bilinearTaps(planes, xPrev, yPrev);
   const floatL limitSquared = positionLimitSquared(params.reprojection, surface);
+  const PreviousPlanes previous = {guidesPrev, irradiancePrev, momentsPrev, historyLengthPrev, objectIdsPrev};
 
   History history[QUELL_SIGNALS];
   intL mask[QUELL_SIGNALS];
@@ -198,29 +216,8 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
   Turn turn = beginTurn(params.reprojection, planes, surface, xPrev, yPrev);
   if (anyLane(wanted)) {
     UNROLL_ON_GPU
-    for (int i = 0; i < 4; ++i) {
-      const int offset = tapOffset(planes, i);
-      const float3L positionPrev =
-          gatherLanes3(guidesPrev + QUELL_GUIDE_POSITION * stride + offset, taps.plan, stride);
-      const float3L normalPrev =
-          gatherLanes3(guidesPrev + QUELL_GUIDE_NORMAL * stride + offset, taps.plan, stride);
-      const intL same = wanted && taps.inFrame[i] &&
-                        sameHistory(params.reprojection, surface, objectId, positionPrev, normalPrev,
-                                    objectIdsPrev + offset, taps.plan, limitSquared);
-      turn = addNormal(turn, same ? taps.weight[i] : ZERO_LANES, normalPrev);
-      UNROLL_ON_GPU
-      for (int s = 0; s < QUELL_SIGNALS; ++s) {
-        const floatL weightPrev =
-            gatherLanes(guidesPrev + (QUELL_GUIDE_WEIGHT + s) * stride + offset, taps.plan);
-        const floatL weight = taps.weight[i] * weightPrev;
-        const intL accepted = same && weight > 0.0f;
-        history[s] = addTap(history[s], accepted ? weight : ZERO_LANES, taps.plan, stride,
-                            irradiancePrev + 3 * s * stride + offset,
-                            momentsPrev + QUELL_MOMENT_PLANES * s * stride + offset,
-                            historyLengthPrev + s * stride + offset);
-        mask[s] = mask[s] | (accepted ? (intL)(QUELL_TAP_ACCEPTED(i)) : (intL)(0));
-      }
-    }
+    for (int i = 0; i < 4; ++i)
+      addSurfaceTap(previous, params, surface, objectId, limitSquared, wanted, taps, i, history, mask, &turn);
   }
 
   turn = endTurn(turn, params.reprojection, surface);
@@ -247,7 +244,7 @@ __kernel void accumulate_noisy(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARG
 #if FILTER_GUIDES
   storeLanes(affine(params.reprojection.viewDepth, surface.position), viewDepth + index);
 #if ROUGHNESS_FORMAT
-  storeLanes(loadRoughness(roughnessData, params.material, x, y, lanes), roughness + index);
+  storeLanes(loadRoughness(images, x, y, lanes), roughness + index);
 #endif
 #endif
 }

@@ -3,8 +3,8 @@
 //          Flatval 2020, ch. 3.2.1 and 3.2.2: edge stops on depth, normal and luminance, the latter in standard
 //          deviations of the 3x3-prefiltered variance; variance is filtered with squared weights.
 // In:      irradiance (3 planes per signal), its variance of luminance (1 plane per signal; with VARIANCE), guides, view
-//          depth and, where the caller has it, roughness.
-// Out:     irradiance and, with FILTER_VARIANCE, variance, filtered.
+//          depth and, with ROUGHNESS_STOP, roughness.
+// Out:     irradiance and, with FILTER_VARIANCE, variance, filtered; that is 0 in background next to surfaces.
 // Signals: share the penalties of the surface; each has its own weight, luminance and variance. The roughness stop is
 //          for the glossy signal, or for the only one.
 // Taps:    5x5, or with TAP_RADIUS 1 3x3 with a linear spline: a third of the work, and as wide after one more iteration.
@@ -12,7 +12,7 @@
 // Border:  taps outside the image are left out and the weights renormalised. A pixel without a sample takes what its
 //          neighbours have, whatever their luminance.
 // Departures: see common/edge_stops.h.
-#include "atrous_params.h"
+#include "atrous_ports.h"
 #include "common/edge_stops.h"
 #include "common/luminance.h"
 #include "common/surfaces.h"
@@ -103,7 +103,7 @@ QUELL_INLINE void addTap(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, Fi
     const float3L value = loadLanes3(from.irradiance + 3 * s * stride, index, stride);
     floatL signalPenalty =
         penalty + absLanes(luminance(value) - sums[s].luminance) * sums[s].inverseLuminance;
-#if ROUGHNESS_FORMAT
+#if ROUGHNESS_STOP
     if (s == QUELL_SIGNALS - 1) signalPenalty += roughnessPenalty(centre, loadLanes(from.roughness + index));
 #endif
     const floatL weight = weightOfPenalty(signalPenalty) *
@@ -135,44 +135,19 @@ QUELL_INLINE void addTapRow(FilterSums sums[QUELL_SIGNALS], FilterCentre centre,
   }
 }
 
-#if ROUGHNESS_FORMAT
+#if ROUGHNESS_STOP
 // How much narrower the stop on luminance becomes: reflections in what is nearly a mirror have edges of their own.
 QUELL_INLINE floatL sharpening(floatL roughness, AtrousParams params) {
   return 1.0f + params.sharpening * maxLanes(1.0f - roughness * params.inverseSharpRoughness, ZERO_LANES);
 }
 #endif
 
-#if SKIP
-// Background has nothing to filter; only the variance next to surfaces, whose prefilter reads it, must be 0, in both of
-// the buffers that iterations write by turns.
-QUELL_INLINE void keepBackground(__global float* varianceOut, __global const uchar* surfaces,
-                                 AtrousParams params, int x, int y) {
-#if FILTER_VARIANCE
-  if (params.iteration > 2 || !isNearSurface(surfaces, params.planes, x, y)) return;
-  const int index = planeIndex(params.planes, x, y);
-  for (int s = 0; s < QUELL_SIGNALS; ++s)
-    storeLanes(ZERO_LANES, varianceOut + s * params.planes.stride + index);
-#endif
-}
-#endif
-
-__kernel void atrous(__global const float* irradiance, __global const float* variance,
-                     __global const float* guides, __global const float* viewDepth,
-                     __global const float* roughness, __global float* irradianceOut,
-                     __global float* varianceOut, __global const uchar* surfaces, AtrousParams params) {
-  const PlaneParams planes = params.planes;
-  const int stride = planes.stride;
-  const int x = (int)get_global_id(0) * QUELL_LANES;
-  const int y = (int)get_global_id(1);
-  if (x >= planes.width || y >= planes.height) return;
-  const int index = planeIndex(planes, x, y);
+__kernel void atrous(STAGE_ARGUMENTS(ATROUS) AtrousParams params) {
+  BEGIN_PIXELS(params.planes);
+  // The prefilter of the variance reads background next to surfaces, in both buffers that iterations write by turns.
+  LEAVE_OUT_BACKGROUND(if (FILTER_VARIANCE && params.iteration <= 2)
+                           ZERO_NEXT_TO_SURFACES(filteredVariance, QUELL_SIGNALS))
   const FilterPlanes from = {irradiance, variance, guides, viewDepth, roughness};
-#if SKIP
-  if (isBackground(surfaces, planes, x, y)) {
-    keepBackground(varianceOut, surfaces, params, x, y);
-    return;
-  }
-#endif
   const int reach = TAP_RADIUS * params.step;
   const int atBorder =
       x < reach || y < reach || x + QUELL_LANES + reach > planes.width || y + reach >= planes.height;
@@ -191,7 +166,7 @@ __kernel void atrous(__global const float* irradiance, __global const float* var
 #endif
     sums[s].inverseLuminance =
         weight > 0.0f ? 1.0f / (params.luminanceSigma * deviation + QUELL_LEAST_LUMINANCE_STEP) : ZERO_LANES;
-#if ROUGHNESS_FORMAT
+#if ROUGHNESS_STOP
     if (s == QUELL_SIGNALS - 1) sums[s].inverseLuminance *= sharpening(centre.roughness, params);
 #endif
     sums[s].irradiance = splat3(0.0f);
@@ -217,9 +192,9 @@ __kernel void atrous(__global const float* irradiance, __global const float* var
   }
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL inverse = sums[s].weight > 0.0f ? 1.0f / sums[s].weight : ZERO_LANES;
-    storeLanes3(scale3(sums[s].irradiance, inverse), irradianceOut + 3 * s * stride, index, stride);
+    storeLanes3(scale3(sums[s].irradiance, inverse), filteredIrradiance + 3 * s * stride, index, stride);
 #if FILTER_VARIANCE
-    storeLanes(sums[s].variance * inverse * inverse, varianceOut + s * stride + index);
+    storeLanes(sums[s].variance * inverse * inverse, filteredVariance + s * stride + index);
 #endif
   }
 }

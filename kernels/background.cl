@@ -2,10 +2,11 @@
 //          so that remodulate and temporal_antialiasing can leave them out.
 // Source:  ours; radiance and encoding are those of remodulate. Without sub-pixel jitter the background is
 //          met in the same way in every frame and needs no antialiasing over time.
-// In:      the caller's radiance (or diffuse and glossy radiance) and emission, surfaces (see common/surfaces.h).
+// In:      the caller's radiance (or diffuse and glossy radiance), emission, albedo and gloss colour; surfaces (see
+//          common/surfaces.h).
 // Out:     linear radiance in the caller's layout, display-encoded radiance as 3 planes (next to surfaces, which
 //          bound their history with it), as history of temporal_antialiasing (3 planes) and in the caller's layout.
-#include "background_params.h"
+#include "background_ports.h"
 #include "common/display_encoding.h"
 #include "common/material.h"
 #include "common/surfaces.h"
@@ -14,13 +15,13 @@
 #define RADIANCE_IS_ALL (!DEMODULATED && QUELL_SIGNALS == 1 && !EMISSION_FORMAT)
 
 // Radiance of the background, as remodulate has it.
-QUELL_INLINE float3L backgroundRadiance(MATERIAL_ARGUMENTS, MaterialParams params, int x, int y, int lanes) {
+QUELL_INLINE float3L backgroundRadiance(FrameImages images, int x, int y, int lanes) {
 #if RADIANCE_IS_ALL
-  const float3L radiance = LOAD_PIXELS(RADIANCE, radianceData, params.radiance, x, y, lanes);
+  const float3L radiance = LOAD_IMAGE(radiance, RADIANCE, x, y, lanes);
   const intL whole = isFinite3(radiance);
   if (!anyLane(!whole)) return radiance;
 #endif
-  const Material material = LOAD_MATERIAL(params, splat3(1.0f), x, y, lanes);
+  const Material material = loadMaterial(images, splat3(1.0f), x, y, lanes);
   float3L sum = material.emission;
   for (int s = 0; s < QUELL_SIGNALS; ++s)
     sum = add3(sum, multiply3(material.signals[s].tint, material.signals[s].value));
@@ -30,31 +31,22 @@ QUELL_INLINE float3L backgroundRadiance(MATERIAL_ARGUMENTS, MaterialParams param
   return sum;
 }
 
-__kernel void background(MATERIAL_ARGUMENTS, __global const uchar* surfaces, __global float* encodedPlanes,
-                         __global float* antialiased, __global uchar* linearData, __global uchar* displayData,
-                         BackgroundParams params) {
-  const PlaneParams planes = params.planes;
-  const int x = (int)get_global_id(0) * QUELL_LANES;
-  const int y = (int)get_global_id(1);
-  if (x >= planes.width || y >= planes.height) return;
+__kernel void background(STAGE_ARGUMENTS(BACKGROUND) BackgroundParams params) {
+  BEGIN_PIXELS(params.planes);
+  BIND_FRAME_IMAGES(BACKGROUND, params.images);
   if (!isBackground(surfaces, planes, x, y)) return;
   const int lanes = min(QUELL_LANES, planes.width - x);
-  const float3L radiance =
-      clamp3(backgroundRadiance(radianceData, glossyRadianceData, emissionData, albedoData, glossColorData,
-                                params.material, x, y, lanes),
-             0.0f, QUELL_MAX_RADIANCE);
-#if LINEAROUTPUT_FORMAT
-  STORE_PIXELS(LINEAROUTPUT, radiance, linearData, params.linearOutput, x, y, lanes);
+  const float3L radiance = clamp3(backgroundRadiance(images, x, y, lanes), 0.0f, QUELL_MAX_RADIANCE);
+#if LINEAR_FORMAT
+  STORE_PIXELS(LINEAR, radiance, linearData, params.outputs.linear, x, y, lanes);
 #endif
-#if DISPLAYOUTPUT_FORMAT
-  const float3L encoded = encodeDisplay3(radiance);
+#if DISPLAY_FORMAT
+  const float3L shown = encodeDisplay3(radiance);
 #if ANTIALIAS
-  const int index = planeIndex(planes, x, y);
-  if (params.finish == 0 || isNearSurface(surfaces, planes, x, y))
-    storeLanes3(encoded, encodedPlanes, index, planes.stride);
+  if (params.finish == 0 || isNearSurface(surfaces, planes, x, y)) storeLanes3(shown, encoded, index, stride);
   if (params.finish == 0) return;
-  storeLanes3(encoded, antialiased, index, planes.stride);
+  storeLanes3(shown, antialiased, index, stride);
 #endif
-  STORE_PIXELS(DISPLAYOUTPUT, encoded, displayData, params.displayOutput, x, y, lanes);
+  STORE_PIXELS(DISPLAY, shown, displayData, params.outputs.display, x, y, lanes);
 #endif
 }

@@ -6,11 +6,10 @@
 //          written), >= 0; 0 at background.
 // Grid:    work-items follow the cells between tile centres, in which all pixels see the same four windows: one
 //          work-item takes QUELL_LANES pixels of a cell (with sixteen lanes and tiles of 8: two rows of eight).
-#include "accumulate_noisy_params.h"
+#include "blended_sum_ports.h"
 #include "common/fit_features.h"
-#include "common/guides.h"
 #include "common/planes.h"
-#include "gram_params.h"
+#include "common/surfaces.h"
 
 #define ITEM_WIDTH (QUELL_LANES < GRAM_TILE_EDGE ? QUELL_LANES : GRAM_TILE_EDGE)
 #define ITEM_HEIGHT (QUELL_LANES / ITEM_WIDTH)
@@ -51,8 +50,7 @@ QUELL_INLINE int2 usedTiles(int offset, int size) {
   return (int2)(first, last);
 }
 
-__kernel void blended_sum(__global const float* records, __global const float* guides,
-                          __global const float* materials, __global float* fitted, GramParams params) {
+__kernel void blended_sum(STAGE_ARGUMENTS(BLENDED_SUM) GramParams params) {
   const int itemX = (int)get_global_id(0);
   const int itemY = (int)get_global_id(1);
   // Cells lie between tile centres, so the first one starts half a tile before the image.
@@ -63,6 +61,7 @@ __kernel void blended_sum(__global const float* records, __global const float* g
   if (cellX > params.tilesX || cellY > params.tilesY || x <= -ITEM_WIDTH || x >= params.planes.width ||
       y <= -ITEM_HEIGHT || y >= params.planes.height)
     return;
+  if (SKIP && !anySurface(surfaces, params.planes, x, y, x + ITEM_WIDTH - 1, y + ITEM_HEIGHT - 1)) return;
   const int index = planeIndex(params.planes, x, y);
   const int pitch = params.planes.pitch;
   const int stride = params.planes.stride;
@@ -94,7 +93,7 @@ __kernel void blended_sum(__global const float* records, __global const float* g
   floatL total = ZERO_LANES;
   for (int corner = 0; corner < 4; ++corner) {
     const int tile = (corner & 2 ? bottom : top) + (corner & 1 ? right : left);
-    __global const float* record = records + tile * QUELL_FIT_RECORD;
+    __global const float* record = fitRecords + tile * QUELL_FIT_RECORD;
     // A window without a single sample has nothing to say.
     if (record[QUELL_FIT_USABLE] != 0.0f) {
       const floatL share =

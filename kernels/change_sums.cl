@@ -3,12 +3,12 @@
 //          (Zhdan 2021, ReBLUR and ReLAX); here the noise of the difference is measured along with it.
 // In:      innovation (2 planes per signal, see common/innovation.h), history length (bytes per signal; 1 or less: no
 //          history), sums of the frame before.
-// Out:     per signal and tile: pixels with a history (a missing sample counts with a difference of 0), sum and sum of squares of their differences, plus the share sumsKept
-//          of the sums of the frame before. Tiles do not move with the camera: a tile is wide against one frame's
-//          motion, and what is kept fades.
+// Out:     per signal and tile: pixels with a history (a missing sample counts with a difference of 0), sum and sum of
+//          squares of their differences, plus the share sumsKept of the sums of the frame before. Tiles do not move
+//          with the camera: a tile is wide against one frame's motion, and what is kept fades.
 // Border:  pixels outside the image are left out.
 // Grid:    one work-item a tile.
-#include "change_params.h"
+#include "change_sums_ports.h"
 #include "common/planes.h"
 
 typedef struct TileSums {
@@ -44,8 +44,7 @@ QUELL_INLINE float total(float8 v) {
   return (pairs.x + pairs.y) + (pairs.z + pairs.w);
 }
 
-__kernel void change_sums(__global const float* innovation, __global const uchar* historyLength,
-                          __global const float* sumsPrev, __global float* sums, ChangeParams params) {
+__kernel void change_sums(STAGE_ARGUMENTS(CHANGE_SUMS) ChangeParams params) {
   const PlaneParams planes = params.planes;
   const int tileX = (int)get_global_id(0);
   const int tileY = (int)get_global_id(1);
@@ -67,6 +66,6 @@ __kernel void change_sums(__global const float* innovation, __global const uchar
                                    total(tile.squares[QUELL_INNOVATION_LUMINANCE]),
                                    total(tile.sum[QUELL_INNOVATION_CHROMINANCE]),
                                    total(tile.squares[QUELL_INNOVATION_CHROMINANCE]), 0.0f, 0.0f, 0.0f);
-    vstore8(newest + params.sumsKept * vload8(record, sumsPrev), record, sums);
+    vstore8(newest + params.sumsKept * vload8(record, changeSumsPrev), record, changeSums);
   }
 }

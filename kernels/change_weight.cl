@@ -16,7 +16,7 @@
 // Border:  tiles outside the image are left out; for recent change they count as the nearest tile.
 // Grid:    one work-item a tile.
 // Scale:   differences of any brightness give the same weight.
-#include "change_params.h"
+#include "change_weight_ports.h"
 #include "common/lanes.h"
 
 // A weighted mean over the tiles around a tile: the weights of a tent, the pixels in each tile.
@@ -85,14 +85,13 @@ QUELL_INLINE float weightOf(float significance, float recentChange, ChangeParams
   return params.mostWeight * (excess / (excess + params.gain));
 }
 
-__kernel void change_weight(__global const float* sums, __global const float* recentChangePrev,
-                            __global float* recentChange, __global float* weights, ChangeParams params) {
+__kernel void change_weight(STAGE_ARGUMENTS(CHANGE_WEIGHT) ChangeParams params) {
   const int tileX = (int)get_global_id(0);
   const int tileY = (int)get_global_id(1);
   if (tileX >= params.tilesX || tileY >= params.tilesY) return;
   const int tiles = params.tilesX * params.tilesY;
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    __global const float* signalSums = sums + s * tiles * QUELL_CHANGE_RECORD;
+    __global const float* signalSums = changeSums + s * tiles * QUELL_CHANGE_RECORD;
     const float significance =
         max(significanceOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_SMALL_WINDOW)),
             significanceOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_LARGE_WINDOW)));
@@ -102,6 +101,6 @@ __kernel void change_weight(__global const float* sums, __global const float* re
     const float now = newest + QUELL_RECENT_CHANGE_KEPT * (before - newest);
     const int tile = s * tiles + tileY * params.tilesX + tileX;
     recentChange[tile] = now;
-    weights[tile] = weightOf(significance, now, params);
+    changeWeights[tile] = weightOf(significance, now, params);
   }
 }

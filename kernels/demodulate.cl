@@ -1,30 +1,31 @@
 // demodulate: the caller's images of one frame to what filters read, without any history.
 // Paper:   Koskela et al. 2019, section 3 (albedo is removed before filtering); Zhuang et al. 2021 for the glossy signal.
 // In:      the caller's radiance (or diffuse and glossy radiance), normal, position (or view depth), optional emission,
-//          albedo, gloss colour and roughness, any layout.
+//          albedo, gloss colour, roughness and F0, any layout; the table of F_beta where light is divided by it.
 // Out:     irradiance (3 planes per signal), guides (see common/guides.h), view depth (1 plane) and, where the caller
-//          has it, roughness (1 plane), F_beta (3 planes) where light is divided by it. A missing sample is 0 and has the weight 0.
+//          has it, roughness (1 plane); F_beta (3 planes) where light is divided by it; with SKIP `surfaces` (see
+//          common/surfaces.h). A missing sample is 0 and has the weight 0.
+#include "common/f_beta_images.h"
 #include "common/filter_input.h"
 #include "common/surface_images.h"
-#include "demodulate_params.h"
+#include "demodulate_ports.h"
 
-__kernel void demodulate(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARGUMENTS, __global float* irradiance,
-                         __global float* guides, __global float* viewDepth, __global float* roughness,
-                         __global float* fBetaPlanes, DemodulateParams params) {
-  const PlaneParams planes = params.planes;
-  const int stride = planes.stride;
-  const int x = (int)get_global_id(0) * QUELL_LANES;
-  const int y = (int)get_global_id(1);
-  if (x >= planes.width || y >= planes.height) return;
+__kernel void demodulate(STAGE_ARGUMENTS(DEMODULATE) DemodulateParams params) {
+  BEGIN_PIXELS(params.planes);
+  BIND_FRAME_IMAGES(DEMODULATE, params.images);
   const int lanes = min(QUELL_LANES, planes.width - x);
-  const int index = planeIndex(planes, x, y);
-
-  const Surface surface =
-      loadSurface(normalData, positionData, params.surface, params.reprojection, x, y, lanes);
-  const float3L fBeta = loadFBeta(roughnessData, f0Data, fBetaTable, params.material, surface.position,
-                                  surface.normal, x, y, lanes);
-  keepFBeta(fBeta, fBetaPlanes, index, stride);
-  const Material material = LOAD_MATERIAL(params.material, fBeta, x, y, lanes);
+#if SKIP
+  if (!markSurface(images, surfaces, planes, x, y, lanes)) {
+    storeBackgroundWeights(guides, index, stride);
+    storeLanes((floatL)(params.reprojection.viewDepth.w), viewDepth + index);
+    return;
+  }
+#endif
+  const Surface surface = loadSurface(images, params.reprojection, x, y, lanes);
+  const float3L fBetaHere =
+      loadFBeta(images, fBetaTable, params.reprojection, surface.position, surface.normal, x, y, lanes);
+  keepFBeta(fBetaHere, fBeta, index, stride);
+  const Material material = loadMaterial(images, fBetaHere, x, y, lanes);
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const Sample sample = makeSample(material.signals[s], surface.valid);
     storeLanes3(select3(sample.present, sample.irradiance, splat3(0.0f)), irradiance + 3 * s * stride, index,
@@ -36,6 +37,6 @@ __kernel void demodulate(MATERIAL_ARGUMENTS, F_BETA_ARGUMENTS, SURFACE_ARGUMENTS
   storeLanes3(surface.normal, guides + QUELL_GUIDE_NORMAL * stride, index, stride);
   storeLanes(affine(params.reprojection.viewDepth, surface.position), viewDepth + index);
 #if ROUGHNESS_FORMAT
-  storeLanes(loadRoughness(roughnessData, params.material, x, y, lanes), roughness + index);
+  storeLanes(loadRoughness(images, x, y, lanes), roughness + index);
 #endif
 }

@@ -2,19 +2,15 @@
 #ifndef QUELL_DEMODULATE_PARAMS_H
 #define QUELL_DEMODULATE_PARAMS_H
 
-#include "common/guides.h"
-#include "common/material_params.h"
+#include "common/frame_image_params.h"
 #include "common/reprojection_params.h"
-#include "common/surface_params.h"
-#include "common/types.h"
 
 QUELL_NAMESPACE_BEGIN
 
 typedef struct DemodulateParams {
   ReprojectionParams reprojection;
   PlaneParams planes;
-  MaterialParams material;
-  SurfaceParams surface;
+  FrameImageParams images;
 } DemodulateParams;
 
 QUELL_NAMESPACE_END

@@ -16,108 +16,25 @@
 // them in private memory: with 256 work-items that is 52 registers and no traffic but the input; with one work-item
 // and 16 lanes it is a stack array that stays in a CPU's nearest caches. FIT_STORAGE_HALF puts the columns into
 // global memory as halves, block after block, as the reference does.
-#include "accumulate_noisy_params.h"
+#define GROUP_SIZE FIT_GROUP_SIZE
 #include "common/blocks.h"
-#include "common/fit_features.h"
-#include "common/guides.h"
+#include "common/fit_inputs.h"
 #include "common/planes.h"
 #include "common/random.h"
-#include "fit_params.h"
-
-#define LOGICAL_LANES 256
-#define GROUP_LANES (FIT_GROUP_SIZE * QUELL_LANES)
-// Rows of a work-item (in vectors of QUELL_LANES), as steps of chunks: row = 256 * step + lane within 256.
-#define CHUNKS (LOGICAL_LANES / GROUP_LANES)
-#define STEPS (QUELL_BLOCK_PIXELS / LOGICAL_LANES)
-#define ITEM_ROWS (CHUNKS * STEPS)
+#include "fit_columns.h"
+#include "fit_ports.h"
 
 // Numbers that a work-group sums, or takes the least of, at once.
-#define BOUNDS (2 * QUELL_SCALED)
 #define EXCHANGED (BOUNDS > QUELL_FIT_COLUMNS ? BOUNDS : QUELL_FIT_COLUMNS)
 
-// On GPUs every loop over rows and columns is unrolled, so that the columns live in registers.
-#if FIT_UNROLL
-#define UNROLL _Pragma("unroll")
-#else
-#define UNROLL
-#endif
+typedef struct Block {
+  int number;
+  int x;  // of its first pixel
+  int y;
+} Block;
 
-#if FIT_GROUP_SIZE == 1
-#define GROUP_BARRIER
-#else
-#define GROUP_BARRIER barrier(CLK_LOCAL_MEM_FENCE)
-#endif
-
-#if FIT_STORAGE_HALF
-typedef struct Columns {
-  __global half* data;
-  int id;
-} Columns;
-#define COLUMN_INDEX(columns, k, i) \
-  ((size_t)((k)*QUELL_BLOCK_PIXELS + ((i)*FIT_GROUP_SIZE + (columns).id) * QUELL_LANES))
-#if QUELL_LANES == 16
-#define GET(columns, k, i) vload_half16(0, (columns).data + COLUMN_INDEX(columns, k, i))
-#define SET(columns, k, i, value) vstore_half16((value), 0, (columns).data + COLUMN_INDEX(columns, k, i))
-#else
-#define GET(columns, k, i) vload_half(COLUMN_INDEX(columns, k, i), (columns).data)
-#define SET(columns, k, i, value) vstore_half((value), COLUMN_INDEX(columns, k, i), (columns).data)
-#endif
-#define COLUMNS_ARGUMENT Columns columns
-#else
-#define GET(columns, k, i) columns[k][i]
-#define SET(columns, k, i, value) columns[k][i] = (value)
-#define COLUMNS_ARGUMENT floatL columns[QUELL_FIT_COLUMNS][ITEM_ROWS]
-#endif
-
-// Halving tree over the chunks of logical lanes that a work-item owns.
-QUELL_INLINE floatL sumChunks(floatL* sums) {
-  UNROLL
-  for (int active = CHUNKS / 2; active > 0; active /= 2) {
-    UNROLL
-    for (int chunk = 0; chunk < active; ++chunk) sums[chunk] += sums[chunk + active];
-  }
-  return sums[0];
-}
-
-// Sum of a product of two columns over the rows of this work-item, per lane.
-QUELL_INLINE floatL partialDot(COLUMNS_ARGUMENT, int a, int b) {
-  floatL sums[CHUNKS];
-  UNROLL
-  for (int chunk = 0; chunk < CHUNKS; ++chunk) {
-    floatL sum = GET(columns, a, chunk) * GET(columns, b, chunk);
-    UNROLL
-    for (int step = 1; step < STEPS; ++step)
-      sum += GET(columns, a, step * CHUNKS + chunk) * GET(columns, b, step * CHUNKS + chunk);
-    sums[chunk] = sum;
-  }
-  return sumChunks(sums);
-}
-
-// Column k minus `along` times column j.
-QUELL_INLINE void reflect(COLUMNS_ARGUMENT, int k, int j, float along) {
-  UNROLL
-  for (int i = 0; i < ITEM_ROWS; ++i) SET(columns, k, i, GET(columns, k, i) - along * GET(columns, j, i));
-}
-
-// The same, and the product of the result with column p, summed as partialDot does.
-QUELL_INLINE floatL reflectAndDot(COLUMNS_ARGUMENT, int k, int j, float along, int p) {
-  floatL sums[CHUNKS];
-  UNROLL
-  for (int chunk = 0; chunk < CHUNKS; ++chunk) {
-    floatL value = GET(columns, k, chunk) - along * GET(columns, j, chunk);
-    SET(columns, k, chunk, value);
-    floatL sum = value * GET(columns, p, chunk);
-    UNROLL
-    for (int step = 1; step < STEPS; ++step) {
-      const int i = step * CHUNKS + chunk;
-      value = GET(columns, k, i) - along * GET(columns, j, i);
-      SET(columns, k, i, value);
-      sum += value * GET(columns, p, i);
-    }
-    sums[chunk] = sum;
-  }
-  return sumChunks(sums);
-}
+// First of the QUELL_LANES pixels of a block that are vector i of a work-item.
+QUELL_INLINE int firstPixel(int id, int i) { return (i * FIT_GROUP_SIZE + id) * QUELL_LANES; }
 
 // Sums of per-item values `first` to `end` - 1 over the work-group, in a halving tree. All work-items get the result.
 QUELL_INLINE void groupSum(__local floatL* exchange, int id, floatL* values, int first, int end) {
@@ -139,97 +56,36 @@ QUELL_INLINE void groupSum(__local floatL* exchange, int id, floatL* values, int
 #endif
 }
 
+// Scaling of the unbounded variables by their ranges in the block.
+QUELL_INLINE void scaleBlock(FitInputs inputs, Block block, int id, __local floatL* exchange, float* anchor,
+                             float* scale) {
 #if QUELL_SCALED > 0
-QUELL_INLINE void groupMin(__local floatL* exchange, int id, floatL* values, int count) {
-#if FIT_GROUP_SIZE > 1
-  UNROLL
-  for (int k = 0; k < count; ++k) exchange[k * FIT_GROUP_SIZE + id] = values[k];
-  GROUP_BARRIER;
-  for (int active = FIT_GROUP_SIZE / 2; active > 0; active /= 2) {
-    if (id < active) {
-      UNROLL
-      for (int k = 0; k < count; ++k)
-        exchange[k * FIT_GROUP_SIZE + id] =
-            minLanes(exchange[k * FIT_GROUP_SIZE + id], exchange[k * FIT_GROUP_SIZE + id + active]);
-    }
-    GROUP_BARRIER;
-  }
-  UNROLL
-  for (int k = 0; k < count; ++k) values[k] = exchange[k * FIT_GROUP_SIZE];
-  GROUP_BARRIER;
-#endif
-}
-#endif
-
-__kernel
-#if FIT_GROUP_SIZE > 1
-    __attribute__((reqd_work_group_size(FIT_GROUP_SIZE, 1, 1)))
-#endif
-    void
-    fit(__global const float* irradiance, __global const float* guides, __global const float* materials,
-        __global float* records, __global half* storage, FitParams params) {
-  const int id = (int)get_local_id(0);
-  const int block = (int)get_group_id(0);
-  const int blockX = params.blockOffsetX + (block % params.blocksX) * QUELL_BLOCK_EDGE;
-  const int blockY = params.blockOffsetY + (block / params.blocksX) * QUELL_BLOCK_EDGE;
-  const int stride = params.planes.stride;
-
-#if FIT_GROUP_SIZE > 1
-  __local floatL exchange[EXCHANGED * FIT_GROUP_SIZE];
-#else
-  __local floatL exchange[1];
-#endif
-  __local float pivotRow[QUELL_FIT_COLUMNS];
-  __local float r[QUELL_FEATURES][QUELL_FIT_COLUMNS];
-
-#if FIT_STORAGE_HALF
-  Columns columns;
-  columns.data = storage + (size_t)block * (QUELL_FIT_COLUMNS * QUELL_BLOCK_PIXELS);
-  columns.id = id;
-#else
-  floatL columns[QUELL_FIT_COLUMNS][ITEM_ROWS];
-#endif
-
-  float anchor[QUELL_SCALED_SLOTS], scale[QUELL_SCALED_SLOTS];
-#if QUELL_SCALED > 0
-  // Range of the unbounded variables: minima of v and of -v over the pixels with a weight.
   floatL bounds[BOUNDS];
-  UNROLL
-  for (int k = 0; k < BOUNDS; ++k) bounds[k] = (floatL)(NO_POSITION);
+  beginRange(bounds);
   UNROLL
   for (int i = 0; i < ITEM_ROWS; ++i) {
-    const GatherPlan plan =
-        planBlockRow(params.planes, (i * FIT_GROUP_SIZE + id) * QUELL_LANES, blockX, blockY);
-    const intL used = gatherLanes(guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * stride, plan) > 0.0f;
-    floatL scaled[QUELL_SCALED];
-    makeScaled(scaled, gatherGuide(guides, materials, params.planes, plan), params.viewAxis);
-    UNROLL
-    for (int k = 0; k < QUELL_SCALED; ++k) {
-      const floatL v = scaled[k];
-      bounds[k] = used && v < bounds[k] ? v : bounds[k];
-      bounds[k + QUELL_SCALED] = used && -v < bounds[k + QUELL_SCALED] ? -v : bounds[k + QUELL_SCALED];
-    }
+    const GatherPlan plan = planBlockRow(inputs.planes, firstPixel(id, i), block.x, block.y);
+    includeRange(inputs, plan, gatherWeight(inputs, plan), bounds);
   }
-  groupMin(exchange, id, bounds, BOUNDS);
+  groupMin(exchange, id, bounds);
   float low[QUELL_SCALED], high[QUELL_SCALED];
-  UNROLL
-  for (int k = 0; k < QUELL_SCALED; ++k) {
-    low[k] = minOfLanes(bounds[k]);
-    high[k] = -minOfLanes(bounds[k + QUELL_SCALED]);
-  }
+  endRange(bounds, low, high);
   scaleRanges(low, high, anchor, scale);
 #endif
+}
 
-  // The augmented matrix [T + N, z], rows weighted.
-  const uint blockSeed = hashScalar(params.noiseSeed + (uint)block);
+// The augmented matrix [T + N, z], rows weighted.
+QUELL_INLINE void fillColumns(COLUMNS_ARGUMENT, FitInputs inputs, FitParams params, Block block, int id,
+                              const float* anchor, const float* scale) {
+  const int stride = inputs.planes.stride;
+  const uint blockSeed = hashScalar(params.noiseSeed + (uint)block.number);
   UNROLL
   for (int i = 0; i < ITEM_ROWS; ++i) {
-    const int row = (i * FIT_GROUP_SIZE + id) * QUELL_LANES;
-    const GatherPlan plan = planBlockRow(params.planes, row, blockX, blockY);
-    const floatL rootWeight = SQRT(gatherLanes(guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * stride, plan));
-    const Guide guide = gatherGuide(guides, materials, params.planes, plan);
+    const int row = firstPixel(id, i);
+    const GatherPlan plan = planBlockRow(inputs.planes, row, block.x, block.y);
+    const floatL rootWeight = SQRT(gatherWeight(inputs, plan));
     floatL features[QUELL_FEATURES];
-    makeFeatures(features, guide, params.viewAxis, anchor, scale);
+    makeFeatures(features, gatherInputs(inputs, plan), inputs.viewAxis, anchor, scale);
     UNROLL
     for (int k = 0; k < QUELL_FEATURES; ++k) {
       const uintL counter = AS_UINT((intL)(row + k * QUELL_BLOCK_PIXELS) + LANE_INDEX) ^ blockSeed;
@@ -240,59 +96,63 @@ __kernel
     UNROLL
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
       SET(columns, QUELL_FEATURES + c, i,
-          gatherLanes(irradiance + (3 * QUELL_SIGNAL + c) * stride, plan) * rootWeight);
+          gatherLanes(inputs.irradiance + (3 * QUELL_SIGNAL + c) * stride, plan) * rootWeight);
   }
+}
 
-  // Householder QR. Step j reflects the pivot column j onto row j, which then belongs to R and is out of the game: the
-  // pivot columns that follow have zeros there, which keeps it out of every sum and update. A dependent column leaves
-  // its row in the game. One pass per column applies reflection j and sums the products that step j + 1 needs.
+// Row j of the columns from j on, for the work-group.
+QUELL_INLINE void sharePivotRow(COLUMNS_ARGUMENT, int j, int id, __local float* pivotRow) {
+  UNROLL
+  for (int k = j; k < QUELL_FIT_COLUMNS; ++k) {
+    floatL pivot = GET(columns, k, 0);
+    if (id == j / QUELL_LANES) pivotRow[k] = ((float*)&pivot)[j % QUELL_LANES];
+  }
+}
+
+// Householder reflection that takes a pivot column x to `diagonal` in the pivot row and 0 in the others of the game.
+typedef struct Reflection {
+  int dependent;   // on the columns before: there is none
+  float head;      // of x in the pivot row
+  float diagonal;  // -+ length of x
+  float factor;    // 2 / (v'v) for v = x - diagonal * e_j
+} Reflection;
+
+QUELL_INLINE Reflection makeReflection(float energy, float tolerance, float head) {
+  Reflection reflection;
+  const float length = sqrt(energy);
+  reflection.dependent = energy <= tolerance;
+  reflection.head = head;
+  reflection.diagonal = head > 0.0f ? -length : length;
+  reflection.factor = reflection.dependent ? 0.0f : 1.0f / (energy + fabs(head) * length);
+  return reflection;
+}
+
+// Applies reflection j to the columns after j, in one pass that also sums the products that step j + 1 needs; row j
+// of R goes to `row`. The column that is the next pivot gets zeros in the rows that belong to R.
+QUELL_INLINE void applyReflection(COLUMNS_ARGUMENT, Reflection reflection, int j, int id, int takenRows,
+                                  __local const float* pivotRow, __local float* row, floatL* dots) {
   const intL firstRows = (intL)(id * QUELL_LANES) + LANE_INDEX;
-  int takenRows = 0;  // bit j: row j belongs to R
-  float tolerance = 0.0f;
-  floatL dots[QUELL_FIT_COLUMNS];
+  if (id == 0) row[j] = reflection.dependent ? 0.0f : reflection.diagonal;
   UNROLL
-  for (int k = 0; k < QUELL_FIT_COLUMNS; ++k) dots[k] = partialDot(columns, 0, k);
-  UNROLL
-  for (int j = 0; j < QUELL_FEATURES; ++j) {
-    UNROLL
-    for (int k = j; k < QUELL_FIT_COLUMNS; ++k) {
-      floatL pivot = GET(columns, k, 0);
-      if (id == j / QUELL_LANES) pivotRow[k] = ((float*)&pivot)[j % QUELL_LANES];
+  for (int k = j + 1; k < QUELL_FIT_COLUMNS; ++k) {
+    const float along = (sumLanes(dots[k]) - reflection.diagonal * pivotRow[k]) * reflection.factor;
+    if (id == 0) row[k] = pivotRow[k] - along * (reflection.head - reflection.diagonal);
+    // After the last feature only R is wanted.
+    if (j + 1 == QUELL_FEATURES) continue;
+    if (k == j + 1) {
+      reflect(columns, k, j, along);
+      const intL taken =
+          firstRows < QUELL_FEATURES && (((intL)(takenRows) >> minLanesInt(firstRows, (intL)(15))) & 1) != 0;
+      SET(columns, k, 0, taken ? ZERO_LANES : GET(columns, k, 0));
+      dots[k] = partialDot(columns, k, k);
+    } else {
+      dots[k] = reflectAndDot(columns, k, j, along, j + 1);
     }
-    groupSum(exchange, id, dots, j, QUELL_FIT_COLUMNS);
-    GROUP_BARRIER;
-
-    const float energy = sumLanes(dots[j]);
-    tolerance = j == 0 ? energy * QUELL_FIT_RANK_TOLERANCE : tolerance;
-    const int dependent = energy <= tolerance;
-    const float head = pivotRow[j];
-    const float length = sqrt(energy);
-    const float diagonal = head > 0.0f ? -length : length;
-    // 2 / (v'v) for v = x - diagonal * e_j
-    const float reflection = dependent ? 0.0f : 1.0f / (energy + fabs(head) * length);
-    takenRows |= dependent ? 0 : 1 << j;
-    if (id == 0) r[j][j] = dependent ? 0.0f : diagonal;
-    UNROLL
-    for (int k = j + 1; k < QUELL_FIT_COLUMNS; ++k) {
-      const float along = (sumLanes(dots[k]) - diagonal * pivotRow[k]) * reflection;
-      if (id == 0) r[j][k] = pivotRow[k] - along * (head - diagonal);
-      // After the last feature only R is wanted.
-      if (j + 1 < QUELL_FEATURES) {
-        if (k == j + 1) {
-          reflect(columns, k, j, along);
-          const intL taken = firstRows < QUELL_FEATURES &&
-                             (((intL)(takenRows) >> minLanesInt(firstRows, (intL)(15))) & 1) != 0;
-          SET(columns, k, 0, taken ? ZERO_LANES : GET(columns, k, 0));
-          dots[k] = partialDot(columns, k, k);
-        } else {
-          dots[k] = reflectAndDot(columns, k, j, along, j + 1);
-        }
-      }
-    }
-    GROUP_BARRIER;
   }
+}
 
-  // Back substitution, eq. (5): one colour channel a work-item.
+// Back substitution, eq. (5): one colour channel a work-item.
+QUELL_INLINE void substituteBack(__local float (*r)[QUELL_FIT_COLUMNS], int id, __global float* record) {
   for (int c = id; c < QUELL_FIT_CHANNELS; c += FIT_GROUP_SIZE) {
     float coefficients[QUELL_FEATURES];
     UNROLL
@@ -303,11 +163,71 @@ __kernel
       coefficients[j] = r[j][j] != 0.0f ? sum / r[j][j] : 0.0f;
     }
     UNROLL
-    for (int j = 0; j < QUELL_FEATURES; ++j)
-      records[block * QUELL_FIT_RECORD + j * QUELL_FIT_CHANNELS + c] = coefficients[j];
+    for (int j = 0; j < QUELL_FEATURES; ++j) record[j * QUELL_FIT_CHANNELS + c] = coefficients[j];
   }
+}
+
+__kernel
+#if FIT_GROUP_SIZE > 1
+    __attribute__((reqd_work_group_size(FIT_GROUP_SIZE, 1, 1)))
+#endif
+    void
+    fit(STAGE_ARGUMENTS(FIT) FitParams params) {
+  const int id = (int)get_local_id(0);
+  const int number = (int)get_group_id(0);
+  const Block block = {number, params.blockOffsetX + (number % params.blocksX) * QUELL_BLOCK_EDGE,
+                       params.blockOffsetY + (number / params.blocksX) * QUELL_BLOCK_EDGE};
+  const FitInputs inputs = {irradiance, guides, materials, params.planes, params.viewAxis};
+  __global float* record = fitRecords + number * QUELL_FIT_RECORD;
+#if SKIP && FIT_GROUP_SIZE == 1
+  // A work-group would have to agree on it before a barrier; one work-item does not.
+  if (!anySurfaceInBlock(surfaces, params.planes, block.x, block.y, QUELL_BLOCK_EDGE)) {
+    record[QUELL_FIT_USABLE] = 0.0f;
+    return;
+  }
+#endif
+
+#if FIT_GROUP_SIZE > 1
+  __local floatL exchange[EXCHANGED * FIT_GROUP_SIZE];
+#else
+  __local floatL exchange[1];
+#endif
+  __local float pivotRow[QUELL_FIT_COLUMNS];
+  __local float r[QUELL_FEATURES][QUELL_FIT_COLUMNS];
+
+#if FIT_STORAGE_HALF
+  const Columns columns = {fitStorage + (size_t)number * (QUELL_FIT_COLUMNS * QUELL_BLOCK_PIXELS), id};
+#else
+  floatL columns[QUELL_FIT_COLUMNS][ITEM_ROWS];
+#endif
+
+  float anchor[QUELL_SCALED_SLOTS], scale[QUELL_SCALED_SLOTS];
+  scaleBlock(inputs, block, id, exchange, anchor, scale);
+  fillColumns(columns, inputs, params, block, id, anchor, scale);
+
+  // Householder QR. Step j reflects the pivot column j onto row j, which then belongs to R and is out of the game: the
+  // pivot columns that follow have zeros there, which keeps it out of every sum and update. A dependent column leaves
+  // its row in the game.
+  int takenRows = 0;  // bit j: row j belongs to R
+  float tolerance = 0.0f;
+  floatL dots[QUELL_FIT_COLUMNS];
+  UNROLL
+  for (int k = 0; k < QUELL_FIT_COLUMNS; ++k) dots[k] = partialDot(columns, 0, k);
+  UNROLL
+  for (int j = 0; j < QUELL_FEATURES; ++j) {
+    sharePivotRow(columns, j, id, pivotRow);
+    groupSum(exchange, id, dots, j, QUELL_FIT_COLUMNS);
+    GROUP_BARRIER;
+    const float energy = sumLanes(dots[j]);
+    tolerance = j == 0 ? energy * QUELL_FIT_RANK_TOLERANCE : tolerance;
+    const Reflection reflection = makeReflection(energy, tolerance, pivotRow[j]);
+    takenRows |= reflection.dependent ? 0 : 1 << j;
+    applyReflection(columns, reflection, j, id, takenRows, pivotRow, r[j], dots);
+    GROUP_BARRIER;
+  }
+
+  substituteBack(r, id, record);
   if (id == 0) {
-    __global float* record = records + block * QUELL_FIT_RECORD;
     record[QUELL_FIT_USABLE] = r[0][0] != 0.0f ? 1.0f : 0.0f;
     for (int k = 0; k < QUELL_SCALED; ++k) {
       record[QUELL_FIT_ANCHOR + k] = anchor[k];

@@ -24,7 +24,7 @@ QUELL_NAMESPACE_END
 #define QUELL_BLOCK_EDGE 32
 #define QUELL_BLOCK_PIXELS (QUELL_BLOCK_EDGE * QUELL_BLOCK_EDGE)
 // The features. Which there are is decided by compile options that the host writes from the setting `features`
-// (host/stages/fit_features.hpp); without any they are T = [1, nx, ny, nz, wx, wy, wz, wx^2, wy^2, wz^2] (paper, section
+// (host/stages/feature_list.hpp); without any they are T = [1, nx, ny, nz, wx, wy, wz, wx^2, wy^2, wz^2] (paper, section
 // on the choice of feature buffers). See common/fit_features.h for the names in the lists.
 #ifndef QUELL_FEATURES
 #define QUELL_FEATURES 10

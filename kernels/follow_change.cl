@@ -6,11 +6,10 @@
 // In/out:  irradiance (3 planes per signal), moments of luminance (2 planes per signal) and history length (bytes per
 //          signal) as accumulate_noisy left them. Where the weight there was as large, nothing is touched.
 // Border:  weights beyond the last centre of a tile stay constant.
-#include "change_params.h"
-#include "common/guides.h"
 #include "common/luminance.h"
 #include "common/planes.h"
 #include "common/surfaces.h"
+#include "follow_change_ports.h"
 
 // Tiles around each pixel, and where it lies between their centres.
 typedef struct TileMix {
@@ -67,23 +66,13 @@ QUELL_INLINE floatL towards(floatL value, floatL newest, floatL share) {
   return value + share * (newest - value);
 }
 
-__kernel void follow_change(__global const float* weights, __global const float* newestIrradiance,
-                            __global float* irradiance, __global float* moments,
-                            __global uchar* historyLength, __global const uchar* surfaces,
-                            ChangeParams params) {
-  const PlaneParams planes = params.planes;
-  const int stride = planes.stride;
-  const int x = (int)get_global_id(0) * QUELL_LANES;
-  const int y = (int)get_global_id(1);
-  if (x >= planes.width || y >= planes.height) return;
-#if SKIP
-  if (isBackground(surfaces, planes, x, y)) return;
-#endif
-  const int index = planeIndex(planes, x, y);
+__kernel void follow_change(STAGE_ARGUMENTS(FOLLOW_CHANGE) ChangeParams params) {
+  BEGIN_PIXELS(params.planes);
+  LEAVE_OUT_BACKGROUND(NOTHING_ELSE)
   const TileMix mix = mixTiles(params, x, y);
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    if (!anyTileAbove(weights + s * params.tilesX * params.tilesY, params, mix, x)) continue;
-    const floatL wanted = mixedWeight(weights + s * params.tilesX * params.tilesY, mix);
+    if (!anyTileAbove(changeWeights + s * params.tilesX * params.tilesY, params, mix, x)) continue;
+    const floatL wanted = mixedWeight(changeWeights + s * params.tilesX * params.tilesY, mix);
     if (!anyLane(wanted > params.leastWeight)) continue;
     __global uchar* length = historyLength + s * stride + index;
     const intL frames = loadByteLanes(length);

@@ -10,17 +10,15 @@
 //
 // GRAM_GROUP_SIZE 1: one work-item a tile, sixteen pixels at once, all sums (91 of ten features) held by it. Above: the
 // work-group stages columns in local memory and every work-item owns some of the sums. Both add in one fixed order.
-#include "accumulate_noisy_params.h"
+#define GROUP_SIZE GRAM_GROUP_SIZE
 #include "common/blocks.h"
 #include "common/fit_features.h"
-#include "common/guides.h"
+#include "common/fit_inputs.h"
 #include "common/planes.h"
-#include "gram_params.h"
+#include "gram_sums_ports.h"
 
 #define TILE_PIXELS (GRAM_TILE_EDGE * GRAM_TILE_EDGE)
 
-// Ends of the ranges of a tile.
-#define BOUNDS (2 * QUELL_SCALED)
 // Rows of QUELL_LANES pixels of a tile, in the order in which they are added.
 #define TILE_VECTORS (TILE_PIXELS / QUELL_LANES)
 
@@ -28,6 +26,12 @@ typedef struct Tile {
   int x;  // of its first pixel
   int y;
 } Tile;
+
+QUELL_INLINE Tile tileOf(GramParams params, int number) {
+  const Tile tile = {params.tileOffsetX + (number % params.tilesX) * GRAM_TILE_EDGE,
+                     params.tileOffsetY + (number / params.tilesX) * GRAM_TILE_EDGE};
+  return tile;
+}
 
 // Pixels number vector * QUELL_LANES and following of a tile; `inside` marks those that count.
 QUELL_INLINE GatherPlan planTilePixels(PlaneParams planes, Tile tile, int vector, intL* inside) {
@@ -46,39 +50,39 @@ QUELL_INLINE GatherPlan planTilePixels(PlaneParams planes, Tile tile, int vector
 #endif
 }
 
-QUELL_INLINE floatL tileWeight(__global const float* guides, PlaneParams planes, GatherPlan plan,
-                               intL inside) {
-  const floatL weight = gatherLanes(guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * planes.stride, plan);
-  return inside ? weight : ZERO_LANES;
+QUELL_INLINE floatL tileWeight(FitInputs inputs, GatherPlan plan, intL inside) {
+  return inside ? gatherWeight(inputs, plan) : ZERO_LANES;
 }
 
-// Planes that a tile is made of.
-typedef struct Inputs {
-  __global const float* irradiance;
-  __global const float* guides;
-  __global const float* materials;
-  PlaneParams planes;
-  float4 viewAxis;
-} Inputs;
+// Ranges and scaling of the unbounded variables of a tile.
+typedef struct Range {
+  float low[QUELL_SCALED_SLOTS];
+  float high[QUELL_SCALED_SLOTS];
+  float anchor[QUELL_SCALED_SLOTS];
+  float scale[QUELL_SCALED_SLOTS];
+} Range;
 
+QUELL_INLINE void findRange(FitInputs inputs, Tile tile, int id, __local floatL* exchange, Range* range) {
 #if QUELL_SCALED > 0
-// Lowers `bounds` to the minima of the unbounded variables v, and of -v, over the pixels with a weight.
-QUELL_INLINE void includeRange(Inputs inputs, GatherPlan plan, floatL weight, floatL* bounds) {
-  floatL scaled[QUELL_SCALED_SLOTS];
-  makeScaled(scaled, gatherGuide(inputs.guides, inputs.materials, inputs.planes, plan), inputs.viewAxis);
-  for (int k = 0; k < QUELL_SCALED; ++k) {
-    const floatL v = scaled[k];
-    bounds[k] = weight > 0.0f && v < bounds[k] ? v : bounds[k];
-    bounds[k + QUELL_SCALED] = weight > 0.0f && -v < bounds[k + QUELL_SCALED] ? -v : bounds[k + QUELL_SCALED];
+  floatL bounds[BOUNDS];
+  beginRange(bounds);
+  for (int vector = id; vector < TILE_VECTORS; vector += GRAM_GROUP_SIZE) {
+    intL inside;
+    const GatherPlan plan = planTilePixels(inputs.planes, tile, vector, &inside);
+    includeRange(inputs, plan, tileWeight(inputs, plan, inside), bounds);
   }
-}
+  groupMin(exchange, id, bounds);
+  endRange(bounds, range->low, range->high);
+  scaleRanges(range->low, range->high, range->anchor, range->scale);
 #endif
+}
 
-// Weighted row of [features | colour].
-QUELL_INLINE void makeColumns(Inputs inputs, GatherPlan plan, floatL weight, const float* anchor,
-                              const float* scale, floatL* columns) {
-  const Guide guide = gatherGuide(inputs.guides, inputs.materials, inputs.planes, plan);
-  makeFeatures(columns, guide, inputs.viewAxis, anchor, scale);
+// Weighted rows of [features | colour] of QUELL_LANES pixels.
+QUELL_INLINE void makeColumns(FitInputs inputs, Tile tile, int vector, const Range* range, floatL* columns) {
+  intL inside;
+  const GatherPlan plan = planTilePixels(inputs.planes, tile, vector, &inside);
+  const floatL weight = tileWeight(inputs, plan, inside);
+  makeFeatures(columns, gatherInputs(inputs, plan), inputs.viewAxis, range->anchor, range->scale);
   const float3L color =
       gatherLanes3(inputs.irradiance + 3 * QUELL_SIGNAL * inputs.planes.stride, plan, inputs.planes.stride);
   columns[QUELL_GRAM_FEATURES] = color.x;
@@ -90,15 +94,33 @@ QUELL_INLINE void makeColumns(Inputs inputs, GatherPlan plan, floatL weight, con
     columns[k] = weight > 0.0f ? columns[k] * rootWeight : ZERO_LANES;
 }
 
-QUELL_INLINE void storeRange(__global float* tiles, int tileStride, int tile, const float* low,
-                             const float* high) {
+QUELL_INLINE void storeRange(__global float* tiles, int tileStride, int tile, const Range* range) {
   for (int k = 0; k < QUELL_SCALED; ++k) {
-    tiles[(QUELL_GRAM_LOW + k) * tileStride + tile] = low[k];
-    tiles[(QUELL_GRAM_HIGH + k) * tileStride + tile] = high[k];
+    tiles[(QUELL_GRAM_LOW + k) * tileStride + tile] = range->low[k];
+    tiles[(QUELL_GRAM_HIGH + k) * tileStride + tile] = range->high[k];
   }
 }
 
 #if GRAM_GROUP_SIZE == 1
+
+// Whether there is a surface in a tile; what is mirrored into it counts.
+QUELL_INLINE int anySurfaceInTile(__global const uchar* surfaces, PlaneParams planes, Tile tile) {
+#if GRAM_MIRROR
+  return anySurfaceInBlock(surfaces, planes, tile.x, tile.y, GRAM_TILE_EDGE);
+#else
+  return anySurface(surfaces, planes, tile.x, tile.y, tile.x + GRAM_TILE_EDGE - 1,
+                    tile.y + GRAM_TILE_EDGE - 1);
+#endif
+}
+
+// Sums and ranges of no pixels.
+QUELL_INLINE void storeEmptyTile(__global float* tiles, int tileStride, int tile) {
+  for (int k = 0; k < QUELL_GRAM_SUMS; ++k) tiles[k * tileStride + tile] = 0.0f;
+  for (int k = 0; k < QUELL_SCALED; ++k) {
+    tiles[(QUELL_GRAM_LOW + k) * tileStride + tile] = NO_POSITION;
+    tiles[(QUELL_GRAM_HIGH + k) * tileStride + tile] = -NO_POSITION;
+  }
+}
 
 // All products of two columns, written out: loops over them are left rolled by some compilers, which then cannot keep
 // columns in registers (2.5 times as long on PoCL).
@@ -144,45 +166,30 @@ QUELL_INLINE void storeRange(__global float* tiles, int tileStride, int tile, co
 #error "ALL_PRODUCTS is written for 27 columns"
 #endif
 
-__kernel void gram_sums(__global const float* irradiance, __global const float* guides,
-                        __global const float* materials, __global float* tiles, GramParams params) {
+__kernel void gram_sums(STAGE_ARGUMENTS(GRAM_SUMS) GramParams params) {
   const int number = (int)get_global_id(0);
   if (number >= params.tilesX * params.tilesY) return;
-  const PlaneParams planes = params.planes;
-  const Tile tile = {params.tileOffsetX + (number % params.tilesX) * GRAM_TILE_EDGE,
-                     params.tileOffsetY + (number / params.tilesX) * GRAM_TILE_EDGE};
-  const Inputs inputs = {irradiance, guides, materials, planes, params.viewAxis};
-  intL inside;
-
-  float low[QUELL_SCALED_SLOTS], high[QUELL_SCALED_SLOTS];
-  float anchor[QUELL_SCALED_SLOTS], scale[QUELL_SCALED_SLOTS];
-#if QUELL_SCALED > 0
-  floatL bounds[BOUNDS];
-  for (int k = 0; k < BOUNDS; ++k) bounds[k] = (floatL)(NO_POSITION);
-  for (int vector = 0; vector < TILE_VECTORS; ++vector) {
-    const GatherPlan plan = planTilePixels(planes, tile, vector, &inside);
-    includeRange(inputs, plan, tileWeight(guides, planes, plan, inside), bounds);
+  const Tile tile = tileOf(params, number);
+  // A work-group would have to agree on this before a barrier; one work-item does not.
+  if (SKIP && !anySurfaceInTile(surfaces, params.planes, tile)) {
+    storeEmptyTile(gramTiles, params.tileStride, number);
+    return;
   }
-  for (int k = 0; k < QUELL_SCALED; ++k) {
-    low[k] = minOfLanes(bounds[k]);
-    high[k] = -minOfLanes(bounds[k + QUELL_SCALED]);
-  }
-  scaleRanges(low, high, anchor, scale);
-#endif
+  const FitInputs inputs = {irradiance, guides, materials, params.planes, params.viewAxis};
+  Range range;
+  findRange(inputs, tile, 0, 0, &range);
 
   // Two vectors a turn halve the traffic of the sums, which do not fit into registers.
   floatL sums[QUELL_GRAM_SUMS];
   for (int k = 0; k < QUELL_GRAM_SUMS; ++k) sums[k] = ZERO_LANES;
   for (int vector = 0; vector < TILE_VECTORS; vector += 2) {
     floatL first[QUELL_GRAM_COLUMNS], second[QUELL_GRAM_COLUMNS];
-    const GatherPlan firstPlan = planTilePixels(planes, tile, vector, &inside);
-    makeColumns(inputs, firstPlan, tileWeight(guides, planes, firstPlan, inside), anchor, scale, first);
-    const GatherPlan secondPlan = planTilePixels(planes, tile, vector + 1, &inside);
-    makeColumns(inputs, secondPlan, tileWeight(guides, planes, secondPlan, inside), anchor, scale, second);
+    makeColumns(inputs, tile, vector, &range, first);
+    makeColumns(inputs, tile, vector + 1, &range, second);
     ALL_PRODUCTS
   }
-  for (int k = 0; k < QUELL_GRAM_SUMS; ++k) tiles[k * params.tileStride + number] = sumLanes(sums[k]);
-  storeRange(tiles, params.tileStride, number, low, high);
+  for (int k = 0; k < QUELL_GRAM_SUMS; ++k) gramTiles[k * params.tileStride + number] = sumLanes(sums[k]);
+  storeRange(gramTiles, params.tileStride, number, &range);
 }
 
 #else
@@ -195,48 +202,8 @@ __kernel void gram_sums(__global const float* irradiance, __global const float* 
 // Sums that one work-item owns.
 #define ITEM_SUMS ((QUELL_GRAM_SUMS + GRAM_GROUP_SIZE - 1) / GRAM_GROUP_SIZE)
 
-__kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_sums(
-    __global const float* irradiance, __global const float* guides, __global const float* materials,
-    __global float* tiles, GramParams params) {
-  const int id = (int)get_local_id(0);
-  const int number = (int)get_group_id(0);
-  const PlaneParams planes = params.planes;
-  const Tile tile = {params.tileOffsetX + (number % params.tilesX) * GRAM_TILE_EDGE,
-                     params.tileOffsetY + (number / params.tilesX) * GRAM_TILE_EDGE};
-  const Inputs inputs = {irradiance, guides, materials, planes, params.viewAxis};
-  __local float staged[STAGED_PIXELS * QUELL_GRAM_COLUMNS];
-  int inside;
-
-  float low[QUELL_SCALED_SLOTS], high[QUELL_SCALED_SLOTS];
-  float anchor[QUELL_SCALED_SLOTS], scale[QUELL_SCALED_SLOTS];
-#if QUELL_SCALED > 0
-  __local float ranges[BOUNDS * GRAM_GROUP_SIZE];
-  float bounds[BOUNDS];
-  for (int k = 0; k < BOUNDS; ++k) bounds[k] = NO_POSITION;
-  for (int pixel = id; pixel < TILE_PIXELS; pixel += GRAM_GROUP_SIZE) {
-    const GatherPlan plan = planTilePixels(planes, tile, pixel, &inside);
-    includeRange(inputs, plan, tileWeight(guides, planes, plan, inside), bounds);
-  }
-  for (int k = 0; k < BOUNDS; ++k) ranges[k * GRAM_GROUP_SIZE + id] = bounds[k];
-  barrier(CLK_LOCAL_MEM_FENCE);
-  for (int active = GRAM_GROUP_SIZE / 2; active > 0; active /= 2) {
-    if (id < active) {
-      for (int k = 0; k < BOUNDS; ++k)
-        ranges[k * GRAM_GROUP_SIZE + id] =
-            minLanes(ranges[k * GRAM_GROUP_SIZE + id], ranges[k * GRAM_GROUP_SIZE + id + active]);
-    }
-    barrier(CLK_LOCAL_MEM_FENCE);
-  }
-  for (int k = 0; k < QUELL_SCALED; ++k) {
-    low[k] = ranges[k * GRAM_GROUP_SIZE];
-    high[k] = -ranges[(k + QUELL_SCALED) * GRAM_GROUP_SIZE];
-  }
-  scaleRanges(low, high, anchor, scale);
-#endif
-
-  // Which columns this work-item multiplies for each of its sums.
-  int columnA[ITEM_SUMS], columnB[ITEM_SUMS];
-  float sums[ITEM_SUMS];
+// Which two columns this work-item multiplies for each of its sums.
+QUELL_INLINE void assignSums(int id, int* columnA, int* columnB) {
   for (int k = 0; k < ITEM_SUMS; ++k) {
     int rest = id + k * GRAM_GROUP_SIZE;
     int a = 0;
@@ -248,40 +215,66 @@ __kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_
     }
     columnA[k] = a;
     columnB[k] = min(a + rest, QUELL_GRAM_COLUMNS - 1);
-    sums[k] = 0.0f;
   }
+}
 
-  for (int first = 0; first < TILE_PIXELS; first += STAGED_PIXELS) {
-    for (int pixel = id; pixel < STAGED_PIXELS; pixel += GRAM_GROUP_SIZE) {
-      const GatherPlan plan = planTilePixels(planes, tile, first + pixel, &inside);
-      float columns[QUELL_GRAM_COLUMNS];
-      makeColumns(inputs, plan, tileWeight(guides, planes, plan, inside), anchor, scale, columns);
-      for (int k = 0; k < QUELL_GRAM_COLUMNS; ++k) staged[pixel * QUELL_GRAM_COLUMNS + k] = columns[k];
-    }
-    barrier(CLK_LOCAL_MEM_FENCE);
-    float stagedSums[ITEM_SUMS];
-    for (int k = 0; k < ITEM_SUMS; ++k) stagedSums[k] = 0.0f;
-      // Unrolled further, loads are moved ahead until registers run out: 256 of them and spills on GCN instead of 25.
+// Columns of STAGED_PIXELS pixels from `first` on, for the work-group.
+QUELL_INLINE void stageColumns(FitInputs inputs, Tile tile, int first, int id, const Range* range,
+                               __local float* staged) {
+  for (int pixel = id; pixel < STAGED_PIXELS; pixel += GRAM_GROUP_SIZE) {
+    float columns[QUELL_GRAM_COLUMNS];
+    makeColumns(inputs, tile, first + pixel, range, columns);
+    for (int k = 0; k < QUELL_GRAM_COLUMNS; ++k) staged[pixel * QUELL_GRAM_COLUMNS + k] = columns[k];
+  }
+}
+
+// Adds the products of what is staged to the sums of this work-item.
+QUELL_INLINE void addStaged(__local const float* staged, const int* columnA, const int* columnB,
+                            float* sums) {
+  float stagedSums[ITEM_SUMS];
+  for (int k = 0; k < ITEM_SUMS; ++k) stagedSums[k] = 0.0f;
+    // Unrolled further, loads are moved ahead until registers run out: 256 of them and spills on GCN instead of 25.
 #pragma unroll 1
-    for (int run = 0; run < STAGED_PIXELS; run += RUN_PIXELS) {
-      float runSums[ITEM_SUMS];
-      for (int k = 0; k < ITEM_SUMS; ++k) runSums[k] = 0.0f;
+  for (int run = 0; run < STAGED_PIXELS; run += RUN_PIXELS) {
+    float runSums[ITEM_SUMS];
+    for (int k = 0; k < ITEM_SUMS; ++k) runSums[k] = 0.0f;
 #pragma unroll 4
-      for (int pixel = run; pixel < run + RUN_PIXELS; ++pixel) {
-        for (int k = 0; k < ITEM_SUMS; ++k)
-          runSums[k] += staged[pixel * QUELL_GRAM_COLUMNS + columnA[k]] *
-                        staged[pixel * QUELL_GRAM_COLUMNS + columnB[k]];
-      }
-      for (int k = 0; k < ITEM_SUMS; ++k) stagedSums[k] += runSums[k];
+    for (int pixel = run; pixel < run + RUN_PIXELS; ++pixel) {
+      for (int k = 0; k < ITEM_SUMS; ++k)
+        runSums[k] +=
+            staged[pixel * QUELL_GRAM_COLUMNS + columnA[k]] * staged[pixel * QUELL_GRAM_COLUMNS + columnB[k]];
     }
-    for (int k = 0; k < ITEM_SUMS; ++k) sums[k] += stagedSums[k];
+    for (int k = 0; k < ITEM_SUMS; ++k) stagedSums[k] += runSums[k];
+  }
+  for (int k = 0; k < ITEM_SUMS; ++k) sums[k] += stagedSums[k];
+}
+
+__kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_sums(
+    STAGE_ARGUMENTS(GRAM_SUMS) GramParams params) {
+  const int id = (int)get_local_id(0);
+  const int number = (int)get_group_id(0);
+  const Tile tile = tileOf(params, number);
+  const FitInputs inputs = {irradiance, guides, materials, params.planes, params.viewAxis};
+  __local float exchange[BOUNDS > 0 ? BOUNDS * GRAM_GROUP_SIZE : 1];
+  __local float staged[STAGED_PIXELS * QUELL_GRAM_COLUMNS];
+
+  Range range;
+  findRange(inputs, tile, id, exchange, &range);
+  int columnA[ITEM_SUMS], columnB[ITEM_SUMS];
+  assignSums(id, columnA, columnB);
+  float sums[ITEM_SUMS];
+  for (int k = 0; k < ITEM_SUMS; ++k) sums[k] = 0.0f;
+  for (int first = 0; first < TILE_PIXELS; first += STAGED_PIXELS) {
+    stageColumns(inputs, tile, first, id, &range, staged);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    addStaged(staged, columnA, columnB, sums);
     barrier(CLK_LOCAL_MEM_FENCE);
   }
   for (int k = 0; k < ITEM_SUMS; ++k) {
     if (id + k * GRAM_GROUP_SIZE < QUELL_GRAM_SUMS)
-      tiles[(id + k * GRAM_GROUP_SIZE) * params.tileStride + number] = sums[k];
+      gramTiles[(id + k * GRAM_GROUP_SIZE) * params.tileStride + number] = sums[k];
   }
-  if (id == 0) storeRange(tiles, params.tileStride, number, low, high);
+  if (id == 0) storeRange(gramTiles, params.tileStride, number, &range);
 }
 
 #endif

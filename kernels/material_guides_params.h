@@ -2,14 +2,13 @@
 #ifndef QUELL_MATERIAL_GUIDES_PARAMS_H
 #define QUELL_MATERIAL_GUIDES_PARAMS_H
 
-#include "common/types.h"
+#include "common/frame_image_params.h"
 
 QUELL_NAMESPACE_BEGIN
 
 typedef struct MaterialGuidesParams {
   PlaneParams planes;
-  ImageViewParams albedo;
-  ImageViewParams roughness;
+  FrameImageParams images;
 } MaterialGuidesParams;
 
 QUELL_NAMESPACE_END

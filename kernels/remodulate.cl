@@ -13,7 +13,7 @@
 #include "common/material.h"
 #include "common/planes.h"
 #include "common/surfaces.h"
-#include "remodulate_params.h"
+#include "remodulate_ports.h"
 
 QUELL_INLINE floatL blendChannel(floatL share, floatL factor, floatL filtered, floatL signal) {
   return share * (factor * filtered) + (1.0f - share) * signal;
@@ -29,36 +29,27 @@ QUELL_INLINE float3L remodulateSignal(Signal signal, float3L filtered, intL surf
   return multiply3(signal.tint, radiance);
 }
 
-__kernel void remodulate(__global const float* filtered, __global const float* guides,
-                         __global const float* fBetaPlanes, MATERIAL_ARGUMENTS, __global float* encodedPlanes,
-                         __global uchar* linearData, __global uchar* displayData,
-                         __global const uchar* surfaces, RemodulateParams params) {
-  const PlaneParams planes = params.planes;
-  const int x = (int)get_global_id(0) * QUELL_LANES;
-  const int y = (int)get_global_id(1);
-  if (x >= planes.width || y >= planes.height) return;
-#if SKIP
-  if (isBackground(surfaces, planes, x, y)) return;  // the stage background has done it
-#endif
+__kernel void remodulate(STAGE_ARGUMENTS(REMODULATE) RemodulateParams params) {
+  BEGIN_PIXELS(params.planes);
+  BIND_FRAME_IMAGES(REMODULATE, params.images);
+  LEAVE_OUT_BACKGROUND(NOTHING_ELSE)  // the stage background has done it
   const int lanes = min(QUELL_LANES, planes.width - x);
-  const int index = planeIndex(planes, x, y);
 
-  const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * planes.stride, index, planes.stride);
-  const float3L fBeta = keptFBeta(fBetaPlanes, index, planes.stride);
-  const Material material = LOAD_MATERIAL(params.material, fBeta, x, y, lanes);
+  const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * stride, index, stride);
+  const Material material = loadMaterial(images, keptFBeta(fBeta, index, stride), x, y, lanes);
   const intL surface = dot3(normal, normal) > 0.0f;
   float3L radianceOut = material.emission;
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    const float3L value = loadLanes3(filtered + 3 * s * planes.stride, index, planes.stride);
+    const float3L value = loadLanes3(filtered + 3 * s * stride, index, stride);
     radianceOut = add3(radianceOut, remodulateSignal(material.signals[s], value, surface));
   }
   radianceOut = clamp3(radianceOut, 0.0f, QUELL_MAX_RADIANCE);
-#if LINEAROUTPUT_FORMAT
-  STORE_PIXELS(LINEAROUTPUT, radianceOut, linearData, params.linearOutput, x, y, lanes);
+#if LINEAR_FORMAT
+  STORE_PIXELS(LINEAR, radianceOut, linearData, params.outputs.linear, x, y, lanes);
 #endif
 #if WRITE_PLANES
-  storeLanes3(encodeDisplay3(radianceOut), encodedPlanes, index, planes.stride);
-#elif DISPLAYOUTPUT_FORMAT
-  STORE_PIXELS(DISPLAYOUTPUT, encodeDisplay3(radianceOut), displayData, params.displayOutput, x, y, lanes);
+  storeLanes3(encodeDisplay3(radianceOut), encoded, index, stride);
+#elif DISPLAY_FORMAT
+  STORE_PIXELS(DISPLAY, encodeDisplay3(radianceOut), displayData, params.outputs.display, x, y, lanes);
 #endif
 }

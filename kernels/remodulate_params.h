@@ -2,16 +2,14 @@
 #ifndef QUELL_REMODULATE_PARAMS_H
 #define QUELL_REMODULATE_PARAMS_H
 
-#include "common/material_params.h"
-#include "common/types.h"
+#include "common/frame_image_params.h"
 
 QUELL_NAMESPACE_BEGIN
 
 typedef struct RemodulateParams {
   PlaneParams planes;
-  MaterialParams material;
-  ImageViewParams linearOutput;
-  ImageViewParams displayOutput;
+  FrameImageParams images;
+  OutputImageParams outputs;
 } RemodulateParams;
 
 QUELL_NAMESPACE_END

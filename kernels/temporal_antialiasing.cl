@@ -3,13 +3,13 @@
 //          history is clamped in YCoCg to the mean of the bounds of the 3x3 box and of its cross, and the newest frame
 //          weighs 0.2.
 // In:      encoded frame (3 planes, [0, 1]), encoded output of the frame before, pixel index in the frame before,
-//          reprojection mask. Out: encoded output as history (3 planes) and in the caller's layout.
+//          reprojection mask (of the first signal). Out: encoded output as history (3 planes) and in the caller's layout.
 // Border:  neighbours and taps outside the image are left out and the bilinear weights renormalised.
 // Departures: a pixel that was outside the frame before keeps the newest colour (the reference divides 0 by 0 there).
-#include "accumulate_noisy_params.h"
+#include "common/guides.h"
 #include "common/reprojection.h"
 #include "common/surfaces.h"
-#include "temporal_antialiasing_params.h"
+#include "temporal_antialiasing_ports.h"
 
 // RGB to YCoCg with gains of 4 left in; the inverse takes them out.
 QUELL_INLINE float3L toYCoCg(float3L rgb) {
@@ -77,21 +77,11 @@ QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA
   return minLanes(maxLanes(v, 0.5f * (lowA + lowB)), 0.5f * (highA + highB));
 }
 
-__kernel void temporal_antialiasing(__global const float* encoded, __global const float* antialiasedPrev,
-                                    __global const float* pixelPrev, __global const uchar* reprojectionMask,
-                                    __global float* antialiased, __global uchar* outputData,
-                                    __global const uchar* surfaces, TemporalAntialiasingParams params) {
-  const PlaneParams planes = params.planes;
-  const int x = (int)get_global_id(0) * QUELL_LANES;
-  const int y = (int)get_global_id(1);
-  if (x >= planes.width || y >= planes.height) return;
-#if SKIP
-  // The stage background has done it.
-  if (params.jitters == 0 && isBackground(surfaces, planes, x, y)) return;
-#endif
-  const int index = planeIndex(planes, x, y);
-
-  const float3L newest = loadLanes3(encoded, index, planes.stride);
+__kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
+                                        TemporalAntialiasingParams params) {
+  BEGIN_PIXELS(params.planes);
+  if (params.antialiasBackground == 0) LEAVE_OUT_BACKGROUND(NOTHING_ELSE)  // the stage background has done it
+  const float3L newest = loadLanes3(encoded, index, stride);
   const float3L centre = toYCoCg(newest);
   const int atBorder = x == 0 || y == 0 || x + QUELL_LANES >= planes.width || y == planes.height - 1;
   Neighbourhood around;
@@ -104,13 +94,12 @@ __kernel void temporal_antialiasing(__global const float* encoded, __global cons
   const Bounds cross = around.cross;
 
   const BilinearTaps taps =
-      bilinearTaps(planes, loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + planes.stride));
+      bilinearTaps(planes, loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + stride));
   float3L sum = splat3(0.0f);
   floatL weightSum = ZERO_LANES;
   for (int i = 0; i < 4; ++i) {
     const floatL weight = taps.inFrame[i] ? taps.weight[i] : ZERO_LANES;
-    sum = add3(
-        sum, scale3(gatherLanes3(antialiasedPrev + tapOffset(planes, i), taps.plan, planes.stride), weight));
+    sum = add3(sum, scale3(gatherLanes3(antialiasedPrev + tapOffset(planes, i), taps.plan, stride), weight));
     weightSum += weight;
   }
   const intL hasHistory =
@@ -122,8 +111,9 @@ __kernel void temporal_antialiasing(__global const float* encoded, __global cons
   const float3L blended = add3(scale3(newest, (floatL)(params.newestWeight)),
                                scale3(toRgb(history), (floatL)(1.0f - params.newestWeight)));
   const float3L result = clamp3(select3(hasHistory, blended, newest), 0.0f, 1.0f);
-  storeLanes3(result, antialiased, index, planes.stride);
-#if OUTPUT_FORMAT
-  STORE_PIXELS(OUTPUT, result, outputData, params.output, x, y, min(QUELL_LANES, planes.width - x));
+  storeLanes3(result, antialiased, index, stride);
+#if DISPLAY_FORMAT
+  STORE_PIXELS(DISPLAY, result, displayData, params.outputs.display, x, y,
+               min(QUELL_LANES, planes.width - x));
 #endif
 }

@@ -2,15 +2,16 @@
 #ifndef QUELL_TEMPORAL_ANTIALIASING_PARAMS_H
 #define QUELL_TEMPORAL_ANTIALIASING_PARAMS_H
 
-#include "common/types.h"
+#include "common/frame_image_params.h"
 
 QUELL_NAMESPACE_BEGIN
 
 typedef struct TemporalAntialiasingParams {
   PlaneParams planes;
-  ImageViewParams output;
+  OutputImageParams outputs;
   QuellFloat newestWeight;  // weight of the newest frame, (0, 1]
-  QuellInt jitters;  // whether this frame or the one before is sampled off the pixel centres; only with SKIP
+  QuellInt
+      antialiasBackground;  // whether background takes part, as it must where rays are jittered; only with SKIP
 } TemporalAntialiasingParams;
 
 QUELL_NAMESPACE_END

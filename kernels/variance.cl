@@ -4,12 +4,12 @@
 //          neighbors by a bilateral filter with feature weights", 7x7 pixels.
 // In:      moments of luminance (2 planes per signal), history length (bytes per signal), guides, view depth.
 // Out:     variance (1 plane per signal), >= 0; with OF_MEAN that of the accumulated irradiance: divided by the
-//          history length.
+//          history length. 0 in background next to surfaces.
 // Border:  taps outside the image are left out.
 // Departures: the spatial estimate is raised by temporalFrames / history length: the moments of one frame know less.
 #include "common/edge_stops.h"
 #include "common/surfaces.h"
-#include "variance_params.h"
+#include "variance_ports.h"
 
 typedef struct MomentSums {
   floatL first;
@@ -51,22 +51,9 @@ QUELL_INLINE floatL momentsToVariance(floatL first, floatL second) {
   return maxLanes(second - first * first, ZERO_LANES);
 }
 
-__kernel void variance(__global const float* moments, __global const uchar* historyLength,
-                       __global const float* guides, __global const float* viewDepth,
-                       __global float* varianceOut, __global const uchar* surfaces, VarianceParams params) {
-  const PlaneParams planes = params.planes;
-  const int stride = planes.stride;
-  const int x = (int)get_global_id(0) * QUELL_LANES;
-  const int y = (int)get_global_id(1);
-  if (x >= planes.width || y >= planes.height) return;
-  const int index = planeIndex(planes, x, y);
-#if SKIP
-  if (isBackground(surfaces, planes, x, y)) {
-    if (!isNearSurface(surfaces, planes, x, y)) return;
-    for (int s = 0; s < QUELL_SIGNALS; ++s) storeLanes(ZERO_LANES, varianceOut + s * stride + index);
-    return;
-  }
-#endif
+__kernel void variance(STAGE_ARGUMENTS(VARIANCE) VarianceParams params) {
+  BEGIN_PIXELS(params.planes);
+  LEAVE_OUT_BACKGROUND(ZERO_NEXT_TO_SURFACES(variance, QUELL_SIGNALS))
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     __global const float* signalMoments = moments + QUELL_MOMENT_PLANES * s * stride;
     __global const float* weights = guides + (QUELL_GUIDE_WEIGHT + s) * stride;
@@ -86,6 +73,6 @@ __kernel void variance(__global const float* moments, __global const uchar* hist
 #if OF_MEAN
     result /= TO_FLOAT(maxLanesInt(length, (intL)(1)));
 #endif
-    storeLanes(result, varianceOut + s * stride + index);
+    storeLanes(result, variance + s * stride + index);
   }
 }

@@ -1,20 +1,19 @@
 // weighted_sum: evaluates the block's fit with the noise-free features.
 // Paper:   Koskela et al. 2019, eq. (6): the synthesis uses the noise-free buffers T; negative results are clamped to 0
 //          as in the reference implementation.
-// In:      records of the stage fit, guides of this frame. Out: fitted irradiance (3 planes per signal, of which
-//          those of QUELL_SIGNAL are written), >= 0; 0 at background.
+// In:      records of the stages fit or gram_solve, guides of this frame; materials (4 planes) where a feature needs
+//          them. Out: fitted irradiance (3 planes per signal, of which those of QUELL_SIGNAL are written), >= 0; 0 at
+//          background.
 // Grid:    work-items follow the displaced blocks, so that all lanes of one share a record; the parts of them outside
 //          the image fall into the margins of the planes.
-#include "accumulate_noisy_params.h"
 #include "common/fit_features.h"
-#include "common/guides.h"
 #include "common/planes.h"
-#include "fit_params.h"
+#include "common/surfaces.h"
+#include "weighted_sum_ports.h"
 
 #define ITEMS_PER_BLOCK_ROW (QUELL_BLOCK_EDGE / QUELL_LANES)
 
-__kernel void weighted_sum(__global const float* records, __global const float* guides,
-                           __global const float* materials, __global float* fitted, FitParams params) {
+__kernel void weighted_sum(STAGE_ARGUMENTS(WEIGHTED_SUM) FitParams params) {
   const int itemX = (int)get_global_id(0);
   const int rowY = (int)get_global_id(1);
   const int x = params.blockOffsetX + itemX * QUELL_LANES;
@@ -22,8 +21,9 @@ __kernel void weighted_sum(__global const float* records, __global const float* 
   if (itemX >= params.blocksX * ITEMS_PER_BLOCK_ROW || x <= -QUELL_LANES || x >= params.planes.width ||
       y < 0 || y >= params.planes.height)
     return;
+  if (SKIP && !anySurface(surfaces, params.planes, x, y, x + QUELL_LANES - 1, y)) return;
   const int block = (rowY / QUELL_BLOCK_EDGE) * params.blocksX + itemX / ITEMS_PER_BLOCK_ROW;
-  __global const float* record = records + block * QUELL_FIT_RECORD;
+  __global const float* record = fitRecords + block * QUELL_FIT_RECORD;
   const int index = planeIndex(params.planes, x, y);
   const int stride = params.planes.stride;
 

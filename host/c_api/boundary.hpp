@@ -40,6 +40,9 @@ void requireIndex(std::size_t index, std::size_t count, const char* function, co
 template <class Struct>
 constexpr std::size_t kFirstReleaseSize = sizeof(Struct);
 
+template <>
+inline constexpr std::size_t kFirstReleaseSize<quell_options> = offsetof(quell_options, keptBuffers);
+
 /// A struct of the caller as this version of the header has it: fields beyond the caller's are zero. Throws
 /// Error(InvalidArgument) for null, a structSize below the first release's, or bytes beyond what is known here that
 /// are not zero.

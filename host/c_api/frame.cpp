@@ -3,43 +3,15 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "host/c_api/boundary.hpp"
-#include "host/core/frame_images.hpp"
+#include "host/core/image_schema.hpp"
 
 namespace quell::c_api {
 namespace {
-
-/// One input image in both languages.
-struct FrameImagePair {
-  quell_image_view quell_frame::*given;
-  ImageView Frame::*view;
-};
-
-constexpr FrameImagePair kImages[] = {
-    {&quell_frame::radiance, &Frame::radiance},
-    {&quell_frame::glossyRadiance, &Frame::glossyRadiance},
-    {&quell_frame::normalWorld, &Frame::normalWorld},
-    {&quell_frame::positionWorld, &Frame::positionWorld},
-    {&quell_frame::viewDepth, &Frame::viewDepth},
-    {&quell_frame::albedo, &Frame::albedo},
-    {&quell_frame::glossColor, &Frame::glossColor},
-    {&quell_frame::roughness, &Frame::roughness},
-    {&quell_frame::f0, &Frame::f0},
-    {&quell_frame::emission, &Frame::emission},
-    {&quell_frame::motion, &Frame::motion},
-    {&quell_frame::objectId, &Frame::objectId},
-};
-
-/// The same images in the same order as kFrameImages.
-constexpr bool hasAllImages() {
-  if (std::size(kImages) != std::size(kFrameImages)) return false;
-  for (std::size_t i = 0; i < std::size(kImages); ++i)
-    if (kImages[i].view != kFrameImages[i].view) return false;
-  return true;
-}
-static_assert(hasAllImages(), "quell_frame must have every image of quell::Frame");
 
 [[noreturn]] void refuseEnumerator(const char* function, const std::string& field, const char* expected,
                                    std::int32_t got) {
@@ -106,6 +78,14 @@ Mapping toMapping(quell_mapping mapping, const char* function) {
                    "QUELL_MAPPING_AUTOMATIC, QUELL_MAPPING_NARROW or QUELL_MAPPING_WIDE", mapping);
 }
 
+std::vector<std::string> splitAtCommas(const char* text) {
+  std::vector<std::string> parts;
+  if (text == nullptr) return parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
 }  // namespace
 
 Frame toFrame(const quell_frame* given, const char* function) {
@@ -114,16 +94,18 @@ Frame toFrame(const quell_frame* given, const char* function) {
   frame.size = {read.width, read.height};
   frame.camera = toCamera(read.camera);
   frame.demodulated = read.demodulated != 0;
-  for (std::size_t i = 0; i < std::size(kFrameImages); ++i)
-    frame.*kImages[i].view = toView(read.*kImages[i].given, function, kFrameImages[i].name);
+  forEachInput(read, frame, [&](const ImageFacts& facts, const quell_image_view& image, ImageView& view) {
+    view = toView(image, function, facts.name);
+  });
   return frame;
 }
 
 Output toOutput(const quell_output* given, const char* function) {
   const quell_output read = readStruct(given, function, "output");
   Output output;
-  output.linear = toView(read.linear, function, "linear");
-  output.display = toView(read.display, function, "display");
+  for (std::size_t i = 0; i < std::size(kOutputs<Output>); ++i)
+    output.*kOutputs<Output>[i].member =
+        toView(read.*kOutputs<quell_output>[i].member, function, kOutputs<Output>[i].name);
   return output;
 }
 
@@ -136,6 +118,7 @@ Options toOptions(const quell_options* given, const char* function) {
   options.workGroup = {read.workGroup[0], read.workGroup[1]};
   options.fitGroup = read.fitGroup;
   if (read.cacheDirectory != nullptr) options.cacheDirectory = read.cacheDirectory;
+  options.keptBuffers = splitAtCommas(read.keptBuffers);
   return options;
 }
 

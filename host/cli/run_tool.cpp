@@ -6,7 +6,7 @@
 #include <exception>
 #include <quell/error.hpp>
 
-#include "host/cli/commands.hpp"
+#include "host/cli/common/commands.hpp"
 
 namespace quell::cli {
 

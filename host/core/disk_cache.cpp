@@ -7,6 +7,8 @@
 #include <iterator>
 #include <random>
 
+#include "host/core/fnv1a.hpp"
+
 namespace quell {
 namespace {
 
@@ -14,14 +16,6 @@ using Bytes = DiskCache::Bytes;
 
 // First bytes of an entry; the number changes with the layout.
 constexpr char kMagic[] = "quell cached result 2\n";
-
-// FNV-1a, 64 bits (Fowler, Noll, Vo): names files and finds damage; the key itself is compared in full.
-std::uint64_t hashBytes(const void* data, std::size_t size) {
-  const auto* bytes = static_cast<const unsigned char*>(data);
-  std::uint64_t hash = 0xcbf29ce484222325ull;
-  for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3ull;
-  return hash;
-}
 
 template <class Number>
 void append(Bytes& bytes, Number value) {
@@ -33,7 +27,7 @@ Bytes makeEntry(const std::string& key, const Bytes& bytes) {
   Bytes entry(kMagic, kMagic + sizeof(kMagic) - 1);
   append(entry, static_cast<std::uint64_t>(key.size()));
   append(entry, static_cast<std::uint64_t>(bytes.size()));
-  append(entry, hashBytes(bytes.data(), bytes.size()));
+  append(entry, fnv1a(bytes.data(), bytes.size()));
   entry.insert(entry.end(), key.begin(), key.end());
   entry.insert(entry.end(), bytes.begin(), bytes.end());
   return entry;
@@ -53,7 +47,7 @@ Bytes readFile(const std::string& path) {
 std::string DiskCache::pathOf(const std::string& key) const {
   char name[32];
   std::snprintf(name, sizeof(name), "%016llx.bin",
-                static_cast<unsigned long long>(hashBytes(key.data(), key.size())));
+                static_cast<unsigned long long>(fnv1a(key.data(), key.size())));
   return (std::filesystem::path(m_directory) / name).string();
 }
 

@@ -6,6 +6,8 @@
 #include <memory>
 #include <numeric>
 
+#include "host/core/median.hpp"
+
 namespace quell {
 namespace {
 
@@ -43,24 +45,17 @@ TimeStatistics summarise(std::vector<double> samplesMs) {
   TimeStatistics result;
   result.count = samplesMs.size();
   if (samplesMs.empty()) return result;
-  std::sort(samplesMs.begin(), samplesMs.end());
-  const std::size_t middle = samplesMs.size() / 2;
-  result.medianMs =
-      samplesMs.size() % 2 == 1 ? samplesMs[middle] : 0.5 * (samplesMs[middle - 1] + samplesMs[middle]);
+  result.medianMs = median(samplesMs);
   result.meanMs =
       std::accumulate(samplesMs.begin(), samplesMs.end(), 0.0) / static_cast<double>(samplesMs.size());
-  result.minMs = samplesMs.front();
-  result.maxMs = samplesMs.back();
+  const auto [least, most] = std::minmax_element(samplesMs.begin(), samplesMs.end());
+  result.minMs = *least;
+  result.maxMs = *most;
   return result;
 }
 
-FrameTimer::FrameTimer(std::vector<std::string> stages, std::vector<std::uint64_t> bytesMoved,
-                       TimeSource source)
-    : m_source(source),
-      m_stages(std::move(stages)),
-      m_bytesMoved(std::move(bytesMoved)),
-      m_stageMs(m_stages.size()),
-      m_last(m_stages.size()) {}
+FrameTimer::FrameTimer(std::vector<std::string> stages, TimeSource source)
+    : m_source(source), m_stages(std::move(stages)), m_stageMs(m_stages.size()), m_last(m_stages.size()) {}
 
 bool FrameTimer::hasDeviceTimes(const cl::Event& event) {
   try {
@@ -136,7 +131,7 @@ Timings FrameTimer::collect() {
   timings.source = m_source;
   timings.frame = summarise(m_frameMs);
   for (std::size_t i = 0; i < m_stages.size(); ++i)
-    timings.stages.push_back({m_stages[i], summarise(m_stageMs[i]), m_last[i], m_bytesMoved[i]});
+    timings.stages.push_back({m_stages[i], summarise(m_stageMs[i]), m_last[i]});
   return timings;
 }
 

@@ -17,7 +17,7 @@ TimeStatistics summarise(std::vector<double> samplesMs);
 /// Collects the events of frames in flight and turns finished frames into statistics.
 class FrameTimer {
  public:
-  FrameTimer(std::vector<std::string> stages, std::vector<std::uint64_t> bytesMoved, TimeSource source);
+  FrameTimer(std::vector<std::string> stages, TimeSource source);
 
   /// Event of the next kernel of the frame being recorded, in the order of execution. The frame ends with
   /// endFrame(); frames may be in flight at once.
@@ -47,7 +47,6 @@ class FrameTimer {
 
   TimeSource m_source;
   std::vector<std::string> m_stages;
-  std::vector<std::uint64_t> m_bytesMoved;
   std::vector<FrameRecord> m_pending;  // the last one is being recorded
   std::vector<std::vector<double>> m_stageMs;
   std::vector<double> m_frameMs;

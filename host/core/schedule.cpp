@@ -3,73 +3,138 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "host/core/cl_error.hpp"
+#include "host/core/round_up.hpp"
 #include "host/core/stage.hpp"
 
 namespace quell {
 namespace {
 
-constexpr char kPreviousSuffix[] = ".prev";
+/// Resolves one row after the other.
+class Planner {
+ public:
+  explicit Planner(const Configuration& configuration) : m_configuration(configuration) {}
 
-int roundUp(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
+  void add(const StageRow& row) {
+    m_name = row.stage->label();
+    std::vector<Binding> bindings;
+    for (const Port& port : row.stage->ports(m_configuration)) bindings.push_back({port, -1});
+    for (const Wire& wire : row.wires) checkWire(wire, bindings);
+    for (Binding& binding : bindings)
+      if (binding.port.exists && !binding.port.isImage()) bind(binding, bufferOf(binding.port, row.wires));
+    checkAliases(bindings);
+    // What the row writes may be read from the next row on.
+    for (const Binding& binding : bindings)
+      if (binding.hasBuffer() && binding.port.writes())
+        m_written[static_cast<std::size_t>(binding.buffer)] = true;
+    m_plan.rows.push_back(std::move(bindings));
+  }
 
-bool endsWithPrevious(const std::string& name) {
-  const std::size_t length = sizeof(kPreviousSuffix) - 1;
-  return name.size() > length && name.compare(name.size() - length, length, kPreviousSuffix) == 0;
-}
+  Plan finish() {
+    for (std::size_t i = 0; i < m_plan.buffers.size(); ++i)
+      if (!m_written[i]) refuse(m_plan.buffers[i].name, "a stage that writes the buffer", "none");
+    return std::move(m_plan);
+  }
 
-// First and last line of the table that touches a buffer.
-struct Lifetime {
-  int first = -1;
-  int last = -1;
+ private:
+  [[noreturn]] void refuse(const std::string& port, const std::string& expected,
+                           const std::string& got) const {
+    throw std::logic_error("the method's table, stage " + m_name + ", " + port + ": expected " + expected +
+                           ", got " + got);
+  }
+
+  static std::string bufferOf(const Port& port, const std::vector<Wire>& wires) {
+    for (const Wire& wire : wires)
+      if (wire.port == port.name) return wire.buffer;
+    return port.usualBuffer();
+  }
+
+  void checkWire(const Wire& wire, const std::vector<Binding>& bindings) const {
+    std::string names;
+    for (const Binding& binding : bindings) {
+      if (binding.port.isImage()) continue;
+      if (binding.port.name == wire.port) return;
+      names += (names.empty() ? "" : ", ") + std::string(binding.port.name);
+    }
+    refuse("port " + wire.port, "one of " + names, "a wire of an unknown port");
+  }
+
+  void bind(Binding& binding, const std::string& buffer) {
+    const Port& port = binding.port;
+    if (port.access == Access::Table) {
+      if (m_configuration.tables.count(port.name) == 0)
+        refuse(std::string("port ") + port.name, "a table that the runtime provides", "none");
+      return;
+    }
+    const int row = static_cast<int>(m_plan.rows.size());
+    binding.buffer = m_plan.find(buffer);
+    if (binding.buffer < 0) {
+      binding.buffer = static_cast<int>(m_plan.buffers.size());
+      m_plan.buffers.push_back({buffer, port.element, port.extent, false, row, row});
+      m_written.push_back(false);
+      m_firstStage.push_back(m_name);
+    }
+    const auto index = static_cast<std::size_t>(binding.buffer);
+    BufferSpec& spec = m_plan.buffers[index];
+    if (spec.element != port.element || !(spec.extent == port.extent))
+      refuse(std::string("port ") + port.name,
+             toString(spec.extent) + " of " + toString(spec.element) + " in the buffer " + buffer +
+                 ", as stage " + m_firstStage[index] + " has it",
+             toString(port.extent) + " of " + toString(port.element));
+    const bool readsThisFrame = port.access == Access::Read || port.access == Access::Update;
+    if (readsThisFrame && !m_written[index])
+      refuse(std::string("port ") + port.name, "an earlier stage that writes the buffer " + buffer, "none");
+    spec.history = spec.history || port.access == Access::Previous;
+    spec.lastRow = row;
+  }
+
+  // The work-items of a kernel run in any order: none may read what another one writes.
+  void checkAliases(const std::vector<Binding>& bindings) const {
+    for (const Binding& a : bindings)
+      for (const Binding& b : bindings)
+        if (&a != &b && a.hasBuffer() && a.buffer == b.buffer && a.port.writes() &&
+            b.port.access != Access::Previous)
+          refuse(std::string("port ") + a.port.name, "a buffer of its own",
+                 "that of the port " + std::string(b.port.name));
+  }
+
+  const Configuration& m_configuration;
+  Plan m_plan;
+  std::vector<bool> m_written;            // per buffer
+  std::vector<std::string> m_firstStage;  // per buffer
+  std::string m_name;
 };
-
-Lifetime lifetimeOf(const std::string& name, const std::vector<StageRow>& stages) {
-  Lifetime lifetime;
-  for (int row = 0; row < static_cast<int>(stages.size()); ++row) {
-    if (!contains(stages[row].reads, name) && !contains(stages[row].writes, name)) continue;
-    if (lifetime.first < 0) lifetime.first = row;
-    lifetime.last = row;
-  }
-  return lifetime;
-}
-
-// The buffers that a stage uses, first used first: then most of them find memory that is free again.
-std::vector<BufferSpec> inOrderOfUse(const Schedule& schedule) {
-  std::vector<BufferSpec> used;
-  for (const BufferSpec& spec : schedule.buffers)
-    if (spec.history || lifetimeOf(spec.name, schedule.stages).first >= 0) used.push_back(spec);
-  std::stable_sort(used.begin(), used.end(), [&](const BufferSpec& a, const BufferSpec& b) {
-    return lifetimeOf(a.name, schedule.stages).first < lifetimeOf(b.name, schedule.stages).first;
-  });
-  return used;
-}
-
-std::string joinedNames(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " + ") + name;
-  return text;
-}
-
-cl::Buffer allocate(const cl::Context& context, std::size_t bytes, const std::string& names) {
-  try {
-    return cl::Buffer(context, CL_MEM_READ_WRITE, bytes);
-  } catch (const cl::Error& error) {
-    throw translateClError(error.err(), std::string(error.what()) + " of " + std::to_string(bytes) + " bytes",
-                           "prepare", names);
-  }
-}
 
 }  // namespace
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+int Plan::find(const std::string& name) const {
+  const auto found =
+      std::find_if(buffers.begin(), buffers.end(), [&](const BufferSpec& spec) { return spec.name == name; });
+  return found == buffers.end() ? -1 : static_cast<int>(found - buffers.begin());
+}
+
+int Plan::require(const std::string& name, const char* function, const char* argument) const {
+  const int index = find(name);
+  if (index >= 0) return index;
+  std::string names;
+  for (const BufferSpec& spec : buffers) names += (names.empty() ? "" : ", ") + spec.name;
+  throw Error(ErrorCode::InvalidArgument, {function, argument, "one of " + names, name});
+}
+
+Plan makePlan(const Schedule& schedule, const Configuration& configuration) {
+  Planner planner(configuration);
+  for (const StageRow& row : schedule) planner.add(row);
+  return planner.finish();
 }
 
 std::array<std::size_t, 2> pixelItems(const Configuration& configuration) {
   const std::size_t lanes = static_cast<std::size_t>(configuration.device.lanes);
   const std::size_t width = static_cast<std::size_t>(configuration.size().width);
   return {(width + lanes - 1) / lanes, static_cast<std::size_t>(configuration.size().height)};
+}
+
+int surfaceItemCount(const Configuration& configuration) {
+  const auto [columns, rows] = pixelItems(configuration);
+  return static_cast<int>(columns * rows);
 }
 
 PlaneParams makePlanes(Size size) {
@@ -81,72 +146,9 @@ PlaneParams makePlanes(Size size) {
   return planes;
 }
 
-std::size_t elementBytes(Element element) { return element == Element::UInt8 ? 1 : 4; }
-
 std::size_t elementCount(const BufferSpec& spec, Size size) {
-  if (spec.planes == 0) return spec.elements;
-  return static_cast<std::size_t>(makePlanes(size).stride) * static_cast<std::size_t>(spec.planes);
-}
-
-std::uint64_t payloadBytes(const BufferSpec& spec, Size size) {
-  const std::uint64_t elements = spec.planes == 0 ? spec.elements
-                                                  : static_cast<std::uint64_t>(size.width) *
-                                                        static_cast<std::uint64_t>(size.height) *
-                                                        static_cast<std::uint64_t>(spec.planes);
-  return elements * elementBytes(spec.element);
-}
-
-BufferSet::BufferSet(const cl::Context& context, const cl::CommandQueue& queue, const Schedule& schedule,
-                     Size size) {
-  // Line of the table after which the memory of each slot is free again.
-  std::vector<int> busyUntil;
-  for (const BufferSpec& spec : inOrderOfUse(schedule)) {
-    const Lifetime lifetime = lifetimeOf(spec.name, schedule.stages);
-    const std::size_t bytes = elementCount(spec, size) * elementBytes(spec.element);
-    std::size_t slot = m_slots.size();
-    for (std::size_t i = 0; i < m_slots.size() && !spec.history && slot == m_slots.size(); ++i)
-      if (!m_slots[i].history && busyUntil[i] < lifetime.first && m_slots[i].bytes >= bytes) slot = i;
-    if (slot == m_slots.size()) {
-      m_slots.push_back({{}, bytes, {}, spec.history});
-      busyUntil.push_back(-1);
-    }
-    m_slots[slot].names.push_back(spec.name);
-    busyUntil[slot] = lifetime.last;
-  }
-  for (Slot& slot : m_slots) {
-    for (int copy = 0; copy < (slot.history ? 2 : 1); ++copy) {
-      slot.buffers[copy] = allocate(context, slot.bytes, joinedNames(slot.names));
-      // Margins must hold finite numbers: they are loaded along with their neighbours and then masked out.
-      queue.enqueueFillBuffer(slot.buffers[copy], cl_uchar(0), 0, slot.bytes);
-    }
-  }
-  queue.finish();
-}
-
-const BufferSet::Slot& BufferSet::slotOf(const std::string& name) const {
-  for (const Slot& slot : m_slots)
-    if (contains(slot.names, name)) return slot;
-  throw std::logic_error("the method's table has no buffer " + name);
-}
-
-const cl::Buffer& BufferSet::get(const std::string& name, int parity) const {
-  if (endsWithPrevious(name)) {
-    const Slot& slot = slotOf(name.substr(0, name.size() - (sizeof(kPreviousSuffix) - 1)));
-    if (!slot.history) throw std::logic_error("the method's table keeps no history of " + name);
-    return slot.buffers[1 - parity];
-  }
-  const Slot& slot = slotOf(name);
-  return slot.buffers[slot.history ? parity : 0];
-}
-
-MemoryUse BufferSet::memoryUse() const {
-  MemoryUse use;
-  for (const Slot& slot : m_slots) {
-    const std::size_t bytes = slot.bytes * (slot.history ? 2 : 1);
-    use.buffers.push_back({joinedNames(slot.names), bytes});
-    use.totalBytes += bytes;
-  }
-  return use;
+  if (spec.extent.planes == 0) return spec.extent.elements;
+  return static_cast<std::size_t>(makePlanes(size).stride) * static_cast<std::size_t>(spec.extent.planes);
 }
 
 }  // namespace quell

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "host/core/kernel_sources.hpp"
+#include "host/core/round_up.hpp"
 
 namespace quell {
 namespace {
@@ -13,11 +14,34 @@ namespace {
 constexpr std::size_t kGpuWorkGroup[2] = {64, 4};
 constexpr std::size_t kCpuWorkGroup[2] = {8, 1};
 
+// Compile options that describe the layout of a caller's image: NAME_FORMAT, NAME_CHANNELS, NAME_STRIDE.
+std::string layoutOptions(const Port& port, const ImageView& view) {
+  const std::string name = port.options;
+  // As QUELL_FORMAT_FLOAT and its like in kernels/common/image_access.h.
+  const int format = !view.present() ? 0 : static_cast<int>(view.format) + 1;
+  const std::size_t stride = view.present() ? view.pixelStride() / view.componentBytes() : 0;
+  return " -D " + name + "_FORMAT=" + std::to_string(format) + " -D " + name +
+         "_CHANNELS=" + std::to_string(view.channels) + " -D " + name + "_STRIDE=" + std::to_string(stride);
+}
+
+// The part of the layout that is a kernel argument.
+ImageViewParams makeViewParams(const ImageView& view, Size size) {
+  ImageViewParams params{};
+  if (!view.present()) return params;
+  params.offset = static_cast<QuellInt>(view.offsetBytes / view.componentBytes());
+  params.rowPitch = static_cast<QuellInt>(view.rowPitch(size.width) / view.componentBytes());
+  return params;
+}
+
 }  // namespace
 
-cl::Kernel KernelBuilder::build(const std::string& stem, const std::string& options) const {
-  return compile(
-      stem, "-cl-std=CL1.2 -D QUELL_LANES=" + std::to_string(m_configuration.device.lanes) + " " + options);
+cl::Kernel KernelBuilder::build(const Stage& stage, const std::string& defines) const {
+  std::string options =
+      "-cl-std=CL1.2 -D QUELL_LANES=" + std::to_string(m_configuration.device.lanes) + defines;
+  for (const Port& port : stage.ports(m_configuration))
+    if (port.isImage())
+      options += layoutOptions(port, port.view(m_configuration.frame, m_configuration.output));
+  return compile(stage.name(), options);
 }
 
 cl::Kernel DeviceKernelBuilder::compile(const std::string& stem, const std::string& options) const {
@@ -50,27 +74,52 @@ cl::NDRange KernelBuilder::pixelWorkGroup(const cl::Kernel& kernel) const {
   return cl::NDRange(x, y);
 }
 
-std::string layoutOptions(const std::string& name, const ImageView& view) {
-  // As QUELL_FORMAT_FLOAT and its like in kernels/common/image_access.h.
-  const int format = !view.present() ? 0 : static_cast<int>(view.format) + 1;
-  const std::size_t stride = view.present() ? view.pixelStride() / view.componentBytes() : 0;
-  return " -D " + name + "_FORMAT=" + std::to_string(format) + " -D " + name +
-         "_CHANNELS=" + std::to_string(view.channels) + " -D " + name + "_STRIDE=" + std::to_string(stride);
-}
-
-ImageViewParams makeViewParams(const ImageView& view, Size size) {
-  ImageViewParams params{};
-  if (!view.present()) return params;
-  params.offset = static_cast<QuellInt>(view.offsetBytes / view.componentBytes());
-  params.rowPitch = static_cast<QuellInt>(view.rowPitch(size.width) / view.componentBytes());
+FrameImageParams makeImageParams(const Frame& frame) {
+  FrameImageParams params{};
+#define QUELL_VIEW_PARAMS(name, NAME, least, most, kind, presence, files, texts) \
+  params.name = makeViewParams(frame.name, frame.size);
+  QUELL_FRAME_IMAGES(QUELL_VIEW_PARAMS)
+#undef QUELL_VIEW_PARAMS
   return params;
 }
 
-std::uint64_t imageBytes(const ImageView& view, Size size) {
-  return static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
-         static_cast<std::uint64_t>(view.channels) * view.componentBytes();
+OutputImageParams makeImageParams(const Output& output, Size size) {
+  OutputImageParams params{};
+#define QUELL_VIEW_PARAMS(name, NAME, least, most, kind, presence, files, texts) \
+  params.name = makeViewParams(output.name, size);
+  QUELL_OUTPUT_IMAGES(QUELL_VIEW_PARAMS)
+#undef QUELL_VIEW_PARAMS
+  return params;
 }
 
-std::array<std::size_t, 2> FrameRun::pixelRange() const { return pixelItems(configuration); }
+void FrameRun::bindPorts(cl::Kernel& kernel) const {
+  for (std::size_t i = 0; i < m_arguments.size(); ++i)
+    kernel.setArg(static_cast<cl_uint>(i), sizeof(cl_mem), &m_arguments[i]);
+}
+
+void FrameRun::enqueueRounded(const cl::Kernel& kernel, std::array<std::size_t, 2> global,
+                              const cl::NDRange& local) const {
+  m_enqueue(kernel, cl::NDRange(roundUp(global[0], local[0]), roundUp(global[1], local[1])), local);
+}
+
+Coverage coverageOf(const Stage& stage, const Configuration& configuration) {
+  for (const Port& port : stage.ports(configuration))
+    if (port.exists && port.access == Access::Read && port.usualBuffer() == kSurfacesBuffer)
+      return stage.coverage(configuration.frame);
+  return Coverage::Everything;
+}
+
+std::uint64_t stageBytes(const Stage& stage, const Configuration& configuration, const Content& content) {
+  const Coverage coverage = coverageOf(stage, configuration);
+  const double share = coverage == Coverage::Surfaces     ? content.surfaces
+                       : coverage == Coverage::Background ? 1.0 - content.surfaces
+                                                          : 1.0;
+  double bytes = 0.0;
+  for (const Port& port : stage.ports(configuration, content)) {
+    const bool perPixel = port.isImage() || port.extent.planes > 0;
+    bytes += touchedBytes(port, configuration) * (perPixel ? share : 1.0);
+  }
+  return static_cast<std::uint64_t>(bytes + 0.5);
+}
 
 }  // namespace quell

@@ -2,15 +2,19 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "host/core/program_cache.hpp"
 #include "host/core/schedule.hpp"
+#include "kernels/common/frame_image_params.h"
 #include "kernels/common/reprojection_params.h"
 
 namespace quell {
+
+class Stage;
 
 /// What a stage builds its kernels with, for one configuration.
 class KernelBuilder {
@@ -20,9 +24,9 @@ class KernelBuilder {
 
   const Configuration& configuration() const { return m_configuration; }
 
-  /// The kernel function `stem` of kernels/<stem>.cl; `options` as for the compiler, for example "-D
-  /// WRITE_PLANES=1".
-  cl::Kernel build(const std::string& stem, const std::string& options) const;
+  /// The kernel function of the stage's name in kernels/<name>.cl; `defines` as for the compiler, for example
+  /// "-D WRITE_PLANES=1". The layouts of the images among the stage's ports are added.
+  cl::Kernel build(const Stage& stage, const std::string& defines) const;
 
   /// Largest work-group that device and kernel allow.
   virtual std::size_t maxWorkGroup(const cl::Kernel& kernel) const = 0;
@@ -59,20 +63,27 @@ class DeviceKernelBuilder : public KernelBuilder {
   const ProgramCache& m_cache;
 };
 
-/// Compile options that describe the layout of a caller's image: NAME_FORMAT, NAME_CHANNELS, NAME_STRIDE.
-std::string layoutOptions(const std::string& name, const ImageView& view);
-/// The part of the layout that is a kernel argument.
-ImageViewParams makeViewParams(const ImageView& view, Size size);
-/// Bytes of a caller's image that a stage touches; 0 for an absent one.
-std::uint64_t imageBytes(const ImageView& view, Size size);
-
-/// Compile option of a kernel that leaves out what the frame does not need; see kernels/common/surfaces.h.
-inline std::string skipOption(bool skip) { return skip ? " -D SKIP=1" : " -D SKIP=0"; }
+/// Where all images of a frame lie, for kernels.
+FrameImageParams makeImageParams(const Frame& frame);
+OutputImageParams makeImageParams(const Output& output, Size size);
 
 /// What a stage sees while one frame is enqueued.
 class FrameRun {
  public:
-  virtual ~FrameRun() = default;
+  /// `range` is a multiple of `local`.
+  using Enqueue =
+      std::function<void(const cl::Kernel& kernel, const cl::NDRange& range, const cl::NDRange& local)>;
+
+  /// `arguments`: what the stage's ports are bound to, see BufferSet::arguments().
+  FrameRun(const Configuration& c, const Frame& f, const Output& o, const ReprojectionParams& r,
+           std::uint32_t index, std::vector<cl_mem> arguments, Enqueue enqueue)
+      : configuration(c),
+        frame(f),
+        output(o),
+        reprojection(r),
+        frameIndex(index),
+        m_arguments(std::move(arguments)),
+        m_enqueue(std::move(enqueue)) {}
 
   const Configuration& configuration;
   const Frame& frame;
@@ -80,41 +91,30 @@ class FrameRun {
   const ReprojectionParams& reprojection;
   const std::uint32_t frameIndex;  ///< frames since the history was reset
 
-  /// Buffers that the stage's line of the table names; "<name>.prev" for the frame before.
-  virtual const cl::Buffer& buffer(const std::string& name) const = 0;
-
-  /// Sets all arguments in order and enqueues. `global` is rounded up to a multiple of `local`.
-  template <class... Arguments>
+  /// Binds the stage's ports and its parameters, the last argument, and enqueues. `global` is rounded up to a multiple
+  /// of `local`.
+  template <class Params>
   void launch(cl::Kernel& kernel, std::array<std::size_t, 2> global, const cl::NDRange& local,
-              const Arguments&... arguments) {
-    cl_uint index = 0;
-    (setArgument(kernel, index++, arguments), ...);
-    enqueue(kernel, global, local);
+              const Params& params) const {
+    bindPorts(kernel);
+    kernel.setArg(static_cast<cl_uint>(m_arguments.size()), sizeof(Params), &params);
+    enqueueRounded(kernel, global, local);
   }
 
   /// The usual range of a per-pixel kernel: QUELL_LANES pixels of a row a work-item.
-  std::array<std::size_t, 2> pixelRange() const;
-
- protected:
-  FrameRun(const Configuration& c, const Frame& f, const Output& o, const ReprojectionParams& r,
-           std::uint32_t index)
-      : configuration(c), frame(f), output(o), reprojection(r), frameIndex(index) {}
-  virtual void enqueue(const cl::Kernel& kernel, std::array<std::size_t, 2> global,
-                       const cl::NDRange& local) = 0;
+  std::array<std::size_t, 2> pixelRange() const { return pixelItems(configuration); }
 
  private:
-  static void setArgument(cl::Kernel& kernel, cl_uint index, const ImageView& view) {
-    const cl_mem memory = view.present() ? view.memory : nullptr;
-    kernel.setArg(index, sizeof(cl_mem), &memory);
-  }
-  static void setArgument(cl::Kernel& kernel, cl_uint index, const cl::Buffer& buffer) {
-    kernel.setArg(index, buffer);
-  }
-  template <class Value>
-  static void setArgument(cl::Kernel& kernel, cl_uint index, const Value& value) {
-    kernel.setArg(index, sizeof(Value), &value);
-  }
+  void bindPorts(cl::Kernel& kernel) const;
+  void enqueueRounded(const cl::Kernel& kernel, std::array<std::size_t, 2> global,
+                      const cl::NDRange& local) const;
+
+  std::vector<cl_mem> m_arguments;
+  Enqueue m_enqueue;
 };
+
+/// What a stage that has the port `surfaces` works on.
+enum class Coverage { Everything, Surfaces, Background };
 
 class Stage {
  public:
@@ -123,13 +123,45 @@ class Stage {
   virtual std::string name() const = 0;
   /// The name, with what tells this stage from others of that name in a method; for reports.
   virtual std::string label() const { return name(); }
+  /// What it reads and writes, in the order of the kernel's arguments.
+  virtual std::vector<Port> ports(const Configuration& configuration, const Content& content = {}) const = 0;
+  /// Which pixels of this frame it works on where it knows the surfaces.
+  virtual Coverage coverage(const Frame&) const { return Coverage::Surfaces; }
   /// Compiles the stage's kernels.
   virtual void build(const KernelBuilder& builder) = 0;
   /// Enqueues the stage's kernels for one frame.
   virtual void enqueue(FrameRun& run) = 0;
-  /// Bytes of the caller's images that the stage reads and writes per frame; buffers are known from the
-  /// table.
-  virtual std::uint64_t callerBytes(const Configuration& configuration) const = 0;
+};
+
+/// What the stage works on: everything, unless it reads the buffer of surfaces.
+Coverage coverageOf(const Stage& stage, const Configuration& configuration);
+
+/// Bytes that a frame of this content makes the stage touch, each counted once (twice where it is updated).
+std::uint64_t stageBytes(const Stage& stage, const Configuration& configuration, const Content& content = {});
+
+/// A stage of one kernel whose work-items take QUELL_LANES pixels each, unless range() says otherwise. `Interface` comes
+/// from QUELL_OPTIONS, `Params` is the kernel's last argument.
+template <class Interface, class Params>
+class KernelStage : public Stage, protected Interface {
+ public:
+  std::string name() const final { return Interface::kStem; }
+  std::vector<Port> ports(const Configuration& configuration, const Content& content = {}) const final {
+    return Interface::makePorts(configuration, content);
+  }
+  void build(const KernelBuilder& builder) override {
+    m_kernel = builder.build(*this, Interface::defines() + textDefines());
+    m_workGroup = builder.pixelWorkGroup(m_kernel);
+  }
+  void enqueue(FrameRun& run) final { run.launch(m_kernel, range(run), m_workGroup, params(run)); }
+
+ protected:
+  virtual Params params(const FrameRun& run) const = 0;
+  virtual std::array<std::size_t, 2> range(const FrameRun& run) const { return run.pixelRange(); }
+  /// Compile options that are no numbers.
+  virtual std::string textDefines() const { return {}; }
+
+  cl::Kernel m_kernel;
+  cl::NDRange m_workGroup;
 };
 
 }  // namespace quell

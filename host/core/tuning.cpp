@@ -18,6 +18,12 @@ bool isUsable(const StageTuning& tuning) {
          inRange(tuning.fitGroup, kMostFitGroup) && (tuning.fitGroup & (tuning.fitGroup - 1)) == 0;
 }
 
+/// Whether the caller has chosen what tuning would choose.
+bool hasOptions(const Options& options) {
+  return options.mapping != Mapping::Automatic || options.workGroup != std::array<int, 2>{0, 0} ||
+         options.fitGroup != 0;
+}
+
 }  // namespace
 
 DeviceTuning readTuning(const DiskCache& disk, const std::string& deviceIdentity) {
@@ -43,14 +49,22 @@ void writeTuning(const DiskCache& disk, const std::string& deviceIdentity, const
 }
 
 void applyTuning(const DeviceTuning& tuning, const std::string& stage, Configuration& configuration) {
-  Options& options = configuration.options;
-  const bool chosen = options.mapping != Mapping::Automatic ||
-                      options.workGroup != std::array<int, 2>{0, 0} || options.fitGroup != 0;
   const auto found = tuning.find(stage);
-  if (chosen || found == tuning.end()) return;
+  if (hasOptions(configuration.options) || found == tuning.end()) return;
   configuration.device.lanes = found->second.lanes;
-  options.workGroup = found->second.workGroup;
-  options.fitGroup = found->second.fitGroup;
+  configuration.options.workGroup = found->second.workGroup;
+  configuration.options.fitGroup = found->second.fitGroup;
+}
+
+int commonLanes(const DeviceTuning& tuning, const std::vector<std::string>& stages,
+                const Configuration& configuration) {
+  if (hasOptions(configuration.options)) return configuration.device.lanes;
+  int wide = 0, narrow = 0;
+  for (const std::string& stage : stages) {
+    const auto found = tuning.find(stage);
+    if (found != tuning.end()) ++(found->second.lanes == kNarrowLanes ? narrow : wide);
+  }
+  return wide == narrow ? configuration.device.lanes : wide > narrow ? kWideLanes : kNarrowLanes;
 }
 
 }  // namespace quell

@@ -29,4 +29,9 @@ void writeTuning(const DiskCache& disk, const std::string& deviceIdentity, const
 /// changes unless mapping, work-group and fit group are all left to the library.
 void applyTuning(const DeviceTuning& tuning, const std::string& stage, Configuration& configuration);
 
+/// Pixels per work-item for stages that must agree on them: what most of those that were measured want, else, and where
+/// the caller has set options, as the configuration has it.
+int commonLanes(const DeviceTuning& tuning, const std::vector<std::string>& stages,
+                const Configuration& configuration);
+
 }  // namespace quell

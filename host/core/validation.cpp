@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/core/cl_error.hpp"
-#include "host/core/frame_images.hpp"
+#include "host/core/image_schema.hpp"
 #include "host/core/reprojection.hpp"
 
 namespace quell {
@@ -24,21 +24,18 @@ constexpr std::int64_t kMostPixels = std::int64_t{1} << 27;
 constexpr std::size_t kMostComponents = std::numeric_limits<std::int32_t>::max();
 
 struct NamedView {
-  const char* name;
+  std::string name;
   const ImageView* view;
-  int leastChannels;
-  int mostChannels;
-  bool identifiers;
+  const ImageFacts* facts;
   bool output;
 };
 
 std::vector<NamedView> namedViews(const Frame& frame, const Output& output) {
   std::vector<NamedView> views;
-  for (const FrameImage& image : kFrameImages)
-    views.push_back({image.name, &(frame.*image.view), image.leastChannels, image.mostChannels,
-                     image.identifiers, false});
-  views.push_back({"output.linear", &output.linear, 3, 4, false, true});
-  views.push_back({"output.display", &output.display, 3, 4, false, true});
+  for (const auto& image : kInputs<Frame>)
+    views.push_back({image.name, &(frame.*image.member), &image, false});
+  for (const auto& image : kOutputs<Output>)
+    views.push_back({std::string("output.") + image.name, &(output.*image.member), &image, true});
   return views;
 }
 
@@ -70,11 +67,12 @@ void checkView(const char* function, const NamedView& named, Size size) {
   const auto invalid = [&](const std::string& expected, const std::string& got) {
     refuse(function, ErrorCode::InvalidArgument, named.name, expected, got);
   };
-  if (view.channels < named.leastChannels || view.channels > named.mostChannels) {
-    invalid(std::to_string(named.leastChannels) + " to " + std::to_string(named.mostChannels) + " channels",
+  const ImageFacts& facts = *named.facts;
+  if (view.channels < facts.leastChannels || view.channels > facts.mostChannels) {
+    invalid(std::to_string(facts.leastChannels) + " to " + std::to_string(facts.mostChannels) + " channels",
             std::to_string(view.channels));
   }
-  if (view.format == ComponentFormat::UInt32 && !named.identifiers)
+  if (view.format == ComponentFormat::UInt32 && !facts.identifiers())
     invalid("floats or halves", formatText(view.format));
   const std::size_t component = view.componentBytes();
   // Far above what fits below, and low enough that no sum or product here overflows.
@@ -129,10 +127,11 @@ Value memoryInfo(const NamedView& named, cl_mem_info what) {
 
 void checkLayout(const Frame& frame, const Output& output) {
   checkSize(frame.size);
-  for (const NamedView& named : namedViews(frame, output)) checkView(kPrepare, named, frame.size);
-  if (!frame.radiance.present()) refuse(kPrepare, ErrorCode::InvalidArgument, "radiance", "an image", "none");
-  if (!frame.normalWorld.present())
-    refuse(kPrepare, ErrorCode::InvalidArgument, "normalWorld", "an image", "none");
+  const std::vector<NamedView> views = namedViews(frame, output);
+  for (const NamedView& named : views) checkView(kPrepare, named, frame.size);
+  for (const NamedView& named : views)
+    if (named.facts->required() && !named.view->present())
+      refuse(kPrepare, ErrorCode::InvalidArgument, named.name, "an image", "none");
   if (frame.positionWorld.present() == frame.viewDepth.present()) {
     refuse(kPrepare, ErrorCode::InvalidArgument, "positionWorld", "either positionWorld or viewDepth",
            frame.positionWorld.present() ? "both" : "none");

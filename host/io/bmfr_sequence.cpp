@@ -22,8 +22,12 @@ constexpr std::size_t kClipRowY = 1;
 /// Where the published pixel offset of a ray through the pixel centre lies, pixels.
 constexpr double kCentreOffsetPx = 0.5;
 
-FrameFileName filesOf(const char* buffer) {
-  return [buffer](int frame) { return fmt::format("{}{}.exr", buffer, frame); };
+// The images of a frame; all are there.
+constexpr Image FrameData::*kImages[] = {&FrameData::radiance, &FrameData::normalWorld,
+                                         &FrameData::positionWorld, &FrameData::albedo};
+
+FrameFileName filesOf(const std::string& stem) {
+  return [stem](int frame) { return fmt::format("{}{}.exr", stem, frame); };
 }
 
 /// From m[column][row] with y down to row-major with y up.
@@ -65,11 +69,13 @@ std::optional<HistoryLimits> readLimits(const CHeaderValues& header, const std::
 }  // namespace
 
 BmfrSequence::BmfrSequence(std::string directory)
-    : m_directory(std::move(directory)), m_frames(findFrames(m_directory, filesOf("color"))) {
+    : m_directory(std::move(directory)),
+      m_frames(findFrames(m_directory, filesOf(factsOf(&FrameData::radiance).files.stem))) {
   readCameraHeader();
-  for (const char* required : {"shading_normal", "world_position", "albedo"})
-    requireFrameFiles(m_directory, filesOf(required), m_frames);
-  const ExrHeader first = readExrHeader(joinPath(m_directory, filesOf("color")(m_frames.front())));
+  for (const auto image : kImages)
+    requireFrameFiles(m_directory, filesOf(factsOf(image).files.stem), m_frames);
+  const ExrHeader first = readExrHeader(
+      joinPath(m_directory, filesOf(factsOf(&FrameData::radiance).files.stem)(m_frames.front())));
   m_width = first.width;
   m_height = first.height;
 }
@@ -100,16 +106,14 @@ Camera BmfrSequence::cameraOf(int frame) const {
 
 FrameData BmfrSequence::read(int frame) const {
   requireFrame(m_directory, m_frames, frame);
-  const auto readBuffer = [&](const char* buffer) {
-    return readRgbOfSize(joinPath(m_directory, filesOf(buffer)(frame)), m_width, m_height);
-  };
   FrameData data;
   data.number = frame;
   data.camera = cameraOf(frame);
-  data.radiance = readBuffer("color");
-  data.normalWorld = readBuffer("shading_normal");
-  data.positionWorld = readBuffer("world_position");
-  data.albedo = readBuffer("albedo");
+  for (const auto image : kImages) {
+    const ImageFiles& files = factsOf(image).files;
+    data.*image = readLettersOfSize(joinPath(m_directory, filesOf(files.stem)(frame)), files.channels,
+                                    m_width, m_height);
+  }
   data.demodulated = true;
   return data;
 }
@@ -118,7 +122,7 @@ std::optional<Reference> BmfrSequence::reference(int frame) const {
   requireFrame(m_directory, m_frames, frame);
   const std::string file = filesOf("reference")(frame);
   if (!hasFile(m_directory, file)) return std::nullopt;
-  return Reference{readRgbOfSize(joinPath(m_directory, file), m_width, m_height), {}};
+  return Reference{readLettersOfSize(joinPath(m_directory, file), "RGB", m_width, m_height), {}};
 }
 
 }  // namespace quell::io

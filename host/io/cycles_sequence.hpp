@@ -1,10 +1,9 @@
 // Sequences as rendered with Blender Cycles: one OpenEXR file per buffer and frame, matrices in camera.json.
 //
-// For each frame NNNN (at least four digits, numbers without gaps): color_NNNN.exr, shading_normal_NNNN.exr,
-// world_position_NNNN.exr; for all frames or none: albedo_NNNN.exr, gloss_color_NNNN.exr, emission_NNNN.exr,
-// roughness_NNNN.exr (one channel), f0_NNNN.exr, motion_NNNN.exr (two channels), object_id_NNNN.exr (one channel); for
-// two signals diffuse_irradiance_NNNN.exr and
-// glossy_radiance_NNNN.exr, light before albedo and gloss colour;
+// For each frame NNNN (at least four digits, numbers without gaps): color_NNNN.exr, shading_normal_NNNN.exr and
+// world_position_NNNN.exr; for all frames or none the other images of the contract, under the names and with the
+// channels that quell/frame_images.h says; for two signals diffuse_irradiance_NNNN.exr and glossy_radiance_NNNN.exr,
+// light before albedo and gloss colour;
 // for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference. Other files are
 // ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
 // ...]}, in the convention of quell::Camera: row-major, column vectors, NDC y up, rays through pixel centres
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "host/io/frame_sequence.hpp"
+#include "host/io/image_sources.hpp"
 
 namespace quell::io {
 
@@ -43,22 +43,15 @@ class CyclesSequence final : public FrameSequence {
   std::optional<Reference> reference(int frame) const override;
 
  private:
-  Image readBuffer(const char* buffer, int frame) const;
-  Image readChannels(const char* buffer, const std::vector<std::string>& channels, int frame) const;
+  Image readImage(const std::string& stem, const char* channels, int frame) const;
 
   std::string m_directory;
   std::vector<int> m_frames;
   std::map<int, Camera> m_cameras;
   int m_width = 0;
   int m_height = 0;
-  int m_signals = 1;
-  bool m_hasAlbedo = false;
-  bool m_hasGlossColor = false;
-  bool m_hasEmission = false;
-  bool m_hasRoughness = false;
-  bool m_hasF0 = false;
-  bool m_hasMotion = false;
-  bool m_hasObjectId = false;
+  bool m_demodulated = false;
+  std::vector<ImageSource> m_sources;  ///< of the images that the directory has
 };
 
 }  // namespace quell::io

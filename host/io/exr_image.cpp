@@ -101,6 +101,12 @@ ChannelNames namesForWriting(int channels) {
   return {};
 }
 
+[[noreturn]] void refuseShape(const std::string& path, const std::string& expected, const Image& image) {
+  throw Error(ErrorCode::InvalidArgument,
+              {"write EXR", path, expected,
+               fmt::format("{}x{} pixels of {} channels", image.width, image.height, image.channels)});
+}
+
 /// Half range with NaN kept: every comparison with NaN is false, so std::clamp returns it.
 half toHalf(float value) { return half(std::clamp(value, -kHalfMax, kHalfMax)); }
 
@@ -114,8 +120,7 @@ std::uint32_t toUint(float value) {
 /// Encodes samples of type T (half, float or std::uint32_t), interleaved like Image, as a complete file in
 /// memory.
 template <typename T>
-std::string encode(const Image& shape, const T* samples, Imf::PixelType type) {
-  const ChannelNames names = namesForWriting(shape.channels);
+std::string encode(const Image& shape, const ChannelNames& names, const T* samples, Imf::PixelType type) {
   Imf::Header header(shape.width, shape.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::FrameBuffer buffer;
@@ -134,16 +139,16 @@ std::string encode(const Image& shape, const T* samples, Imf::PixelType type) {
   return stream.str();
 }
 
-std::string encode(const Image& image, ExrType type) {
-  if (type == ExrType::Float) return encode(image, image.pixels.data(), Imf::FLOAT);
+std::string encode(const Image& image, const ChannelNames& names, ExrType type) {
+  if (type == ExrType::Float) return encode(image, names, image.pixels.data(), Imf::FLOAT);
   if (type == ExrType::Uint) {
     std::vector<std::uint32_t> ids(image.pixels.size());
     std::transform(image.pixels.begin(), image.pixels.end(), ids.begin(), toUint);
-    return encode(image, ids.data(), Imf::UINT);
+    return encode(image, names, ids.data(), Imf::UINT);
   }
   std::vector<half> samples(image.pixels.size());
   std::transform(image.pixels.begin(), image.pixels.end(), samples.begin(), toHalf);
-  return encode(image, samples.data(), Imf::HALF);
+  return encode(image, names, samples.data(), Imf::HALF);
 }
 
 }  // namespace
@@ -186,13 +191,17 @@ void requireSize(const Image& image, int width, int height, const std::string& p
 }
 
 void writeExr(const std::string& path, const Image& image, ExrType type) {
-  if (image.empty() || namesForWriting(image.channels).empty())
-    throw Error(ErrorCode::InvalidArgument,
-                {"write EXR", path, "an image of 1, 2 or 3 channels",
-                 fmt::format("{}x{} pixels of {} channels", image.width, image.height, image.channels)});
+  if (namesForWriting(image.channels).empty()) refuseShape(path, "an image of 1, 2 or 3 channels", image);
+  writeExr(path, image, namesForWriting(image.channels), type);
+}
+
+void writeExr(const std::string& path, const Image& image, const std::vector<std::string>& channels,
+              ExrType type) {
+  if (image.empty() || int(channels.size()) != image.channels)
+    refuseShape(path, fmt::format("an image of {} channels", channels.size()), image);
   std::string bytes;
   try {
-    bytes = encode(image, type);
+    bytes = encode(image, channels, type);
   } catch (const std::exception& error) {
     throwFileError("write EXR", path, "to encode the image", error.what());
   }

@@ -44,4 +44,8 @@ void requireSize(const Image& image, int width, int height, const std::string& p
 /// fails.
 void writeExr(const std::string& path, const Image& image, ExrType type = ExrType::Half);
 
+/// The same with channels of these names, as many as the image has.
+void writeExr(const std::string& path, const Image& image, const std::vector<std::string>& channels,
+              ExrType type);
+
 }  // namespace quell::io

@@ -7,27 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "host/core/image_schema.hpp"
 #include "host/io/image.hpp"
 
 namespace quell::io {
 
-/// One frame in host memory. Images share one size; an absent optional buffer is empty.
+/// One frame in host memory. Images share one size; an absent optional one is empty.
 struct FrameData {
   int number = 0;  ///< frame number within its sequence, >= 0
   Camera camera;
-  /// 3 channels, linear; with emission included, unless `demodulated`; the diffuse signal where there are two.
-  Image radiance;
-  Image glossyRadiance;  ///< 3 channels; only where two signals were asked for
-  Image combined;        ///< 3 channels, linear radiance as a whole; only where two signals were asked for
-  Image normalWorld;     ///< 3 channels, unit length; zero marks background
-  Image positionWorld;   ///< 3 channels, scene units
-  Image albedo;          ///< 3 channels, optional
-  Image glossColor;      ///< 3 channels, optional
-  Image emission;        ///< 3 channels, optional
-  Image f0;              ///< 3 channels, Fresnel reflectance at normal incidence, optional
-  Image roughness;       ///< 1 channel, 0 to 1, optional; alpha of GGX is its square
-  Image motion;          ///< 2 channels, pixels: previous pixel minus this one, x right, y down; optional
-  Image objectId;        ///< 1 channel, whole numbers up to 2^24, 0 is background; optional
+  /// What they hold stands in quell/frame_images.h; channels as in files. Object ids are whole numbers up to 2^24.
+#define QUELL_IMAGE(name, ...) Image name;
+  QUELL_FRAME_IMAGES(QUELL_IMAGE)
+#undef QUELL_IMAGE
+  Image combined;  ///< 3 channels, linear radiance as a whole; only where two signals were asked for
   /// True where light is already divided by albedo and gloss colour (two signals, and the layout published with
   /// the BMFR paper).
   bool demodulated = false;
@@ -70,8 +63,8 @@ class FrameSequence {
 };
 
 /// Opens a directory in a supported layout, or one multilayer file; which one is found by looking (see
-/// cycles_sequence.hpp, bmfr_sequence.hpp and multilayer_sequence.hpp). `signals`: 1, or 2 for diffuse and glossy light apart. Throws Error(FileError) saying what
-/// was looked for, or which layout has no two signals.
+/// cycles_sequence.hpp, bmfr_sequence.hpp and multilayer_sequence.hpp). `signals`: 1, or 2 for diffuse and glossy light
+/// apart. Throws Error(FileError) saying what was looked for, or which layout has no two signals.
 std::unique_ptr<FrameSequence> openSequence(const std::string& directory, int signals = 1);
 
 }  // namespace quell::io

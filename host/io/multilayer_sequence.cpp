@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <sstream>
 
 #include "host/io/cycles_sequence.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/file_error.hpp"
+#include "host/io/image_sources.hpp"
 #include "host/io/multilayer_camera.hpp"
 #include "host/io/sequence_files.hpp"
 
@@ -23,13 +25,15 @@ constexpr char kCombined[] = ".Combined.R";
 /// Blender adds what its compositor makes as a layer of this name.
 constexpr char kCompositorLayer[] = "Composite";
 
-/// Channels of the passes that are read, in the order in which they are wanted.
-std::vector<std::string> channelsOf(const std::string& pass) {
-  if (pass == "Normal" || pass == "Position") return {"X", "Y", "Z"};
-  if (pass == "Depth") return {"Z"};
-  if (pass == "Vector") return {"X", "Y"};
-  if (pass == "IndexOB" || pass == "roughness") return {"X"};
-  return {"R", "G", "B"};
+constexpr ImageFiles kPosition = factsOf(&FrameData::positionWorld).files;
+constexpr ImageFiles kDepth = factsOf(&FrameData::viewDepth).files;
+
+/// An image is the sum of these.
+std::vector<std::string> passesOf(const ImageFiles& files) {
+  std::vector<std::string> passes;
+  std::istringstream list(files.passes);
+  for (std::string pass; std::getline(list, pass, '+');) passes.push_back(pass);
+  return passes;
 }
 
 bool endsWith(const std::string& text, const std::string& end) {
@@ -115,11 +119,17 @@ void MultilayerSequence::openCameras(const std::string& directory) {
 }
 
 void MultilayerSequence::requirePasses() const {
-  requirePass("Normal");
-  if (m_signals == 2)
-    for (const char* pass : {"DiffDir", "DiffInd", "GlossDir", "GlossInd", "DiffCol", "GlossCol"})
-      requirePass(pass);
-  const bool position = hasPass("Position"), depth = hasPass("Depth");
+  // The light of two signals is divided by these.
+  const auto isFactor = [](const ImageSource& source) {
+    return source.image == &FrameData::albedo || source.image == &FrameData::glossColor;
+  };
+  for (const ImageSource& source : imageSources(m_signals))
+    if (source.image != &FrameData::positionWorld &&
+        (source.required || (m_signals == 2 && isFactor(source))))
+      for (const std::string& pass : passesOf(source.files))
+        if (!hasPass(pass, source.files.passChannels))
+          throwFileError(kStage, m_name, fmt::format("the pass {}.{}", m_layer, pass), "a file without it");
+  const bool position = hasImage(kPosition), depth = hasImage(kDepth);
   if (m_cameras.empty() && !(position && depth))
     throwFileError(
         kStage, m_name,
@@ -133,30 +143,31 @@ std::string MultilayerSequence::fileOf(int frame) const {
   return m_digits > 0 ? fmt::format("{}{:0{}}.exr", m_prefix, frame, m_digits) : m_prefix + ".exr";
 }
 
-bool MultilayerSequence::hasPass(const std::string& pass) const {
-  const std::vector<std::string> names = channelsOf(pass);
+std::vector<std::string> MultilayerSequence::channelsOf(const std::string& pass,
+                                                        const std::string& letters) const {
+  std::vector<std::string> names;
+  for (const char letter : letters) names.push_back(m_layer + "." + pass + "." + letter);
+  return names;
+}
+
+bool MultilayerSequence::hasPass(const std::string& pass, const std::string& letters) const {
+  const std::vector<std::string> names = channelsOf(pass, letters);
   return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-    return std::find(m_channels.begin(), m_channels.end(), m_layer + "." + pass + "." + name) !=
-           m_channels.end();
+    return std::find(m_channels.begin(), m_channels.end(), name) != m_channels.end();
   });
 }
 
-void MultilayerSequence::requirePass(const std::string& pass) const {
-  if (!hasPass(pass))
-    throwFileError(kStage, m_name, fmt::format("the pass {}.{}", m_layer, pass), "a file without it");
+bool MultilayerSequence::hasImage(const ImageFiles& files) const {
+  const std::vector<std::string> passes = passesOf(files);
+  return std::any_of(passes.begin(), passes.end(),
+                     [&](const std::string& pass) { return hasPass(pass, files.passChannels); });
 }
 
-Image MultilayerSequence::readPass(int frame, const std::string& pass) const {
-  std::vector<std::string> names = channelsOf(pass);
-  for (std::string& name : names) name = m_layer + "." + pass + "." + name;
-  return readChannelsOfSize(fileOf(frame), names, m_width, m_height);
-}
-
-Image MultilayerSequence::sumOfPasses(int frame, const std::vector<std::string>& passes) const {
+Image MultilayerSequence::readImage(int frame, const ImageFiles& files) const {
   Image sum;
-  for (const std::string& pass : passes) {
-    if (!hasPass(pass)) continue;
-    Image image = readPass(frame, pass);
+  for (const std::string& pass : passesOf(files)) {
+    if (!hasPass(pass, files.passChannels)) continue;
+    Image image = readChannelsOfSize(fileOf(frame), channelsOf(pass, files.passChannels), m_width, m_height);
     if (sum.empty()) {
       sum = std::move(image);
     } else {
@@ -167,7 +178,7 @@ Image MultilayerSequence::sumOfPasses(int frame, const std::vector<std::string>&
 }
 
 Matrix4 MultilayerSequence::worldToClipOf(int frame) const {
-  const auto camera = findCamera(readPass(frame, "Position"), readPass(frame, "Depth"));
+  const auto camera = findCamera(readImage(frame, kPosition), readImage(frame, kDepth));
   if (!camera)
     throwFileError("read frame", fileOf(frame),
                    "camera.json, or a perspective camera that follows from Position and Depth",
@@ -176,8 +187,8 @@ Matrix4 MultilayerSequence::worldToClipOf(int frame) const {
 }
 
 Image MultilayerSequence::readPositions(int frame, const Matrix4& worldToClip) const {
-  if (hasPass("Position")) return readPass(frame, "Position");
-  auto position = positionsFromDepth(worldToClip, readPass(frame, "Depth"));
+  if (hasImage(kPosition)) return readImage(frame, kPosition);
+  auto position = positionsFromDepth(worldToClip, readImage(frame, kDepth));
   if (!position)
     throwFileError("read frame", fileOf(frame), fmt::format("the pass {}.Position", m_layer),
                    "a camera from which positions cannot be found by Depth");
@@ -195,21 +206,11 @@ FrameData MultilayerSequence::read(int frame) const {
     data.camera.worldToClipPrev =
         frame > m_frames.front() ? worldToClipOf(frame - 1) : data.camera.worldToClip;
   }
-  data.radiance = readPass(frame, "Combined");
-  if (m_signals == 2) {
-    data.combined = std::move(data.radiance);
-    data.radiance = sumOfPasses(frame, {"DiffDir", "DiffInd"});
-    data.glossyRadiance = sumOfPasses(frame, {"GlossDir", "GlossInd"});
-    data.demodulated = true;
-  }
-  data.normalWorld = readPass(frame, "Normal");
-  data.positionWorld = readPositions(frame, data.camera.worldToClip);
-  if (hasPass("DiffCol")) data.albedo = readPass(frame, "DiffCol");
-  if (hasPass("GlossCol")) data.glossColor = readPass(frame, "GlossCol");
-  data.emission = sumOfPasses(frame, {"Emit", "Env"});
-  if (hasPass("roughness")) data.roughness = readPass(frame, "roughness");
-  if (hasPass("IndexOB")) data.objectId = readPass(frame, "IndexOB");
-  if (hasPass("Vector")) data.motion = readPass(frame, "Vector");
+  data.demodulated = m_signals == 2;
+  for (const ImageSource& source : imageSources(m_signals))
+    data.*source.image = source.image == &FrameData::positionWorld
+                             ? readPositions(frame, data.camera.worldToClip)
+                             : readImage(frame, source.files);
   for (std::size_t pixel = 0; !data.motion.empty() && pixel < data.normalWorld.pixels.size() / 3; ++pixel) {
     float* motion = &data.motion.pixels[2 * pixel];
     const float* normal = &data.normalWorld.pixels[3 * pixel];

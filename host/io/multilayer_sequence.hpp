@@ -1,9 +1,8 @@
 // Multilayer OpenEXR files as Blender's Cycles writes them: all passes of a frame in one file, named
 // <view layer>.<pass>.<channel>.
 //
-// Needed: Combined, Normal, and Position or Depth. Read where a file has them: DiffCol and GlossCol (albedo and gloss
-// colour), Emit and Env (emission), Vector (motion), IndexOB (object ids). Two signals need DiffDir, DiffInd, GlossDir
-// and GlossInd besides.
+// Needed: Combined, Normal, and Position or Depth. Read where a file has them: the passes of the other images of the
+// contract (quell/frame_images.h). Two signals need DiffDir, DiffInd, GlossDir, GlossInd, DiffCol and GlossCol besides.
 //
 // The camera comes from camera.json beside the files (cycles_sequence.hpp), whose frame numbers are those of the file
 // names. Without it, it follows from Position and Depth: each is a linear function of the other, up to the pixel.
@@ -43,10 +42,10 @@ class MultilayerSequence final : public FrameSequence {
   void openCameras(const std::string& directory);
   void requirePasses() const;
   std::string fileOf(int frame) const;
-  bool hasPass(const std::string& pass) const;
-  void requirePass(const std::string& pass) const;
-  Image readPass(int frame, const std::string& pass) const;
-  Image sumOfPasses(int frame, const std::vector<std::string>& passes) const;
+  std::vector<std::string> channelsOf(const std::string& pass, const std::string& letters) const;
+  bool hasPass(const std::string& pass, const std::string& letters) const;
+  bool hasImage(const ImageFiles& files) const;
+  Image readImage(int frame, const ImageFiles& files) const;
   Image readPositions(int frame, const Matrix4& worldToClip) const;
   Matrix4 worldToClipOf(int frame) const;
 

@@ -82,15 +82,20 @@ void requireFrame(const std::string& directory, const std::vector<int>& frames, 
                std::to_string(frame)});
 }
 
-Image readRgbOfSize(const std::string& path, int width, int height) {
-  Image image = readExrRgb(path);
+Image readChannelsOfSize(const std::string& path, const std::vector<std::string>& channels, int width,
+                         int height) {
+  Image image = readExr(path, channels);
   requireSize(image, width, height, path);
   return image;
 }
 
-Image readChannelsOfSize(const std::string& path, const std::vector<std::string>& channels, int width,
-                         int height) {
-  Image image = readExr(path, channels);
+Image readLettersOfSize(const std::string& path, const std::string& letters, int width, int height) {
+  if (letters != "RGB") {
+    std::vector<std::string> channels;
+    for (const char letter : letters) channels.emplace_back(1, letter);
+    return readChannelsOfSize(path, channels, width, height);
+  }
+  Image image = readExrRgb(path);
   requireSize(image, width, height, path);
   return image;
 }

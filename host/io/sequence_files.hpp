@@ -34,11 +34,11 @@ bool hasFrameFiles(const std::string& directory, const FrameFileName& fileName,
 /// Throws Error(InvalidArgument) unless `frame` is one of `frames`.
 void requireFrame(const std::string& directory, const std::vector<int>& frames, int frame);
 
-/// Reads 3 channels from an OpenEXR file that must have the given size.
+/// Reads channels of these names from an OpenEXR file that must have the given size.
 /// Throws Error(FileError), or Error(InvalidArgument) naming the file, the size expected and the size found.
-Image readRgbOfSize(const std::string& path, int width, int height);
-/// The same for channels of these names.
 Image readChannelsOfSize(const std::string& path, const std::vector<std::string>& channels, int width,
                          int height);
+/// The same for channels of one letter each, as in ImageFiles; "RGB" takes X Y Z as well.
+Image readLettersOfSize(const std::string& path, const std::string& letters, int width, int height);
 
 }  // namespace quell::io

@@ -1,29 +1,141 @@
 // Settings that several methods share, written once.
 #pragma once
 
-#include <quell/settings.hpp>
-#include <vector>
+#include <optional>
 
-#include "host/core/reprojection.hpp"
+#include "host/core/runtime_settings.hpp"
+#include "host/methods/setting_table.hpp"
 #include "host/stages/edge_stops.hpp"
 
 namespace quell {
 
-using SettingList = std::vector<SettingDescription>;
+/// When history is discarded.
+struct DiscardSettings {
+  double positionLimitFootprints;
+  double positionLimit;
+  double normalLimitSquared;
+};
 
-/// The lists one after the other.
-SettingList joined(std::initializer_list<SettingList> lists);
+inline SettingTable<DiscardSettings> discardSettings() {
+  using S = DiscardSettings;
+  SettingTable<S> table;
+  table.add("positionLimitFootprints", &S::positionLimitFootprints, 8.0, {0.0, 1e6, "pixel footprints"},
+            "history farther than this from the surface is discarded",
+            "sweep over four rendered sequences: flat from 4 to 64");
+  table.add("positionLimit", &S::positionLimit, 0.0, {0.0, 1e18, "scene units"},
+            "the same limit in scene units, as the paper has it; above 0 it replaces positionLimitFootprints",
+            "Koskela et al. 2019, phase I");
+  table.add("normalLimitSquared", &S::normalLimitSquared, 0.1, {0.0, 4.0},
+            "history whose unit normal differs by more (squared length of the difference) is discarded",
+            "reference implementation; a sweep from 0.03 to 1 changes the error by 1 %");
+  return table;
+}
 
-/// demodulate: what light is divided by before it is filtered.
-SettingList demodulationSettings();
-/// positionLimitFootprints, positionLimit, normalLimitSquared: when history is discarded.
-SettingList discardSettings();
-DiscardLimits discardLimits(const Settings& settings);
-/// taa, taaNewestWeight.
-SettingList antialiasingSettings();
+inline DiscardLimits discardLimits(const DiscardSettings& s) {
+  return {s.positionLimit, s.positionLimit > 0.0 ? 0.0 : s.positionLimitFootprints, s.normalLimitSquared};
+}
 
-/// iterations, luminanceSigma with this default, unit and range, depthSigma, normalPower, roughnessSigma.
-SettingList atrousSettings(const SettingDescription& luminanceSigma);
-EdgeStops edgeStops(const Settings& settings);
+struct AntialiasingSettings {
+  bool taa = false;
+  double taaNewestWeight = 0.0;
+};
+
+inline SettingTable<AntialiasingSettings> antialiasingSettings() {
+  using S = AntialiasingSettings;
+  SettingTable<S> table;
+  table.add("taa", &S::taa, true, "temporal antialiasing of the display output",
+            "Koskela et al. 2019, phase III");
+  table.add("taaNewestWeight", &S::taaNewestWeight, 0.2, {0.001, 1.0},
+            "weight of the newest frame in temporal antialiasing",
+            "Koskela et al. 2019, reference implementation");
+  return table;
+}
+
+template <class S>
+void addDemodulation(SettingTable<S>& table, Demodulation S::*member) {
+  table.add(
+      "demodulate", member, Demodulation::Albedo,
+      "what light is divided by before it is filtered: nothing, albedo and gloss colour, or these with the "
+      "gloss colour times F_beta (needs roughness)",
+      "Koskela et al. 2019, section 3; Zhuang et al. 2021, section 4.1 (fbeta)");
+}
+
+template <class S>
+void addSkip(SettingTable<S>& table, bool S::*member) {
+  table.add("skip", member, true, "leave out background, from the first stage to the last",
+            "ours, kernels/common/surfaces.h: a frame that is all sky takes a fifth of the time");
+}
+
+/// What every method with a history has.
+struct CommonSettings {
+  bool skip;
+  Demodulation demodulate;
+  DiscardSettings discard;
+  AntialiasingSettings antialiasing;
+};
+
+inline SettingTable<CommonSettings> commonSettings() {
+  using S = CommonSettings;
+  SettingTable<S> table;
+  addSkip(table, &S::skip);
+  addDemodulation(table, &S::demodulate);
+  table.include(&S::discard, discardSettings());
+  table.include(&S::antialiasing, antialiasingSettings());
+  return table;
+}
+
+/// Of the settings of a method that has these.
+template <class S>
+RuntimeSettings runtimeSettings(const S& settings) {
+  return {settings.common.demodulate, discardLimits(settings.common.discard)};
+}
+
+template <class S>
+typename SettingTable<S>::Row& addMomentsLeastWeight(SettingTable<S>& table, double S::*member) {
+  return table.add("momentsLeastWeight", member, 0.2, {0.001, 1.0},
+                   "least weight of the newest sample in the moments of luminance",
+                   "Schied et al. 2017, section 4.2");
+}
+
+template <class S>
+typename SettingTable<S>::Row& addTemporalVarianceFrames(SettingTable<S>& table, int S::*member,
+                                                         int byDefault, const char* source) {
+  return table.add("temporalVarianceFrames", member, byDefault, {1, 255, "frames"},
+                   "history length from which on the variance over time is trusted", source);
+}
+
+template <class S>
+typename SettingTable<S>::Row& addIterations(SettingTable<S>& table, int S::*member) {
+  return table.add(
+      "iterations", member, 5, {1, 7},
+      "iterations of the a-trous filter; the last one's taps are 2^(iterations - 1) pixels apart",
+      "Schied et al. 2017, section 4.3");
+}
+
+/// `paper`: the values of the method's paper, if that has these stops.
+inline SettingTable<EdgeStops> edgeStopSettings(const std::optional<EdgeStops>& paper = {}) {
+  using S = EdgeStops;
+  constexpr const char* source =
+      "Schied et al. 2017, section 4.4; sweep over four rendered sequences, docs/svgf-sweep.md";
+  const auto inPaper = [&](double S::*stop) {
+    return paper ? std::optional<double>((*paper).*stop) : std::nullopt;
+  };
+  SettingTable<S> table;
+  table
+      .add("depthSigma", &S::depthSigma, 4.0, {0.01, 1e3, "steps of the depth's slope"},
+           "difference in view depth at which a tap's weight falls to 1/e", source)
+      .paper(inPaper(&S::depthSigma));
+  table
+      .add("normalPower", &S::normalPower, 16.0, {1.0, 1024.0},
+           "power of the cosine between the normals of pixel and tap", source)
+      .paper(inPaper(&S::normalPower));
+  table
+      .add("roughnessSigma", &S::roughnessSigma, 0.5, {0.0, 10.0, "relative difference"},
+           "difference in roughness at which a tap's weight falls to 1/e; 0, or no roughness image: no such "
+           "stop",
+           "not in the paper; sweep over four rendered sequences, docs/svgf-sweep.md")
+      .paper(inPaper(&S::roughnessSigma));
+  return table;
+}
 
 }  // namespace quell

@@ -4,10 +4,11 @@
 #include <functional>
 #include <quell/settings.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "host/core/reprojection.hpp"
 #include "host/core/schedule.hpp"
+#include "host/methods/setting_table.hpp"
 
 namespace quell {
 
@@ -16,11 +17,25 @@ struct Method {
   std::string summary;  ///< one line
   std::vector<SettingDescription> settings;
   std::function<Schedule(const Configuration&)> makeSchedule;
-  std::function<DiscardLimits(const Settings&)> discardLimits;
-  /// Throws Error(OutOfRange) unless this text suits this setting, whose kind is Text; absent where a method
-  /// has no such setting.
-  std::function<void(const std::string& setting, const std::string& text)> checkText = {};
+  std::function<RuntimeSettings(const Settings&)> runtimeSettings;
+  /// Throws Error(OutOfRange) unless this text suits this setting, whose kind is Text.
+  std::function<void(const std::string& setting, const std::string& text)> checkText;
 };
+
+/// A method with the settings of `table`. `makeSchedule` sees their values as a struct; the runtime is told what
+/// runtimeSettings() makes of that.
+template <class Values>
+Method makeMethod(const std::string& name, const std::string& summary, const SettingTable<Values>& table,
+                  Schedule (*makeSchedule)(const Configuration&, const Values&)) {
+  return {name,
+          summary,
+          table.descriptions(),
+          [table, makeSchedule](const Configuration& configuration) {
+            return makeSchedule(configuration, table.resolve(configuration.settings));
+          },
+          [table](const Settings& settings) { return runtimeSettings(table.resolve(settings)); },
+          [table](const std::string& setting, const std::string& text) { table.checkText(setting, text); }};
+}
 
 /// All methods. A new one is added in registry.cpp and nowhere else.
 const std::vector<Method>& methods();

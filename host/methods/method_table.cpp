@@ -7,70 +7,31 @@
 
 namespace quell {
 
-BufferSpec history(const std::string& name, Element element, int planes) {
-  return {name, element, planes, 0, true};
-}
-BufferSpec transient(const std::string& name, Element element, int planes) {
-  return {name, element, planes, 0, false};
-}
-BufferSpec elements(const std::string& name, std::size_t count) {
-  return {name, Element::Float32, 0, count, false};
+FilterLevel levelAfter(int iteration) {
+  if (iteration == 0) return {"irradiance", "variance"};
+  return iteration % 2 == 1 ? FilterLevel{"filteredOdd", "varianceOdd"}
+                            : FilterLevel{"filteredEven", "varianceEven"};
 }
 
-std::vector<std::string> joinedNames(std::vector<std::string> names, const std::vector<std::string>& more) {
-  names.insert(names.end(), more.begin(), more.end());
-  return names;
+std::vector<Wire> atrousWires(const FilterLevel& in, const FilterLevel& out) {
+  return {{"irradiance", in.irradiance},
+          {"variance", in.variance},
+          {"filteredIrradiance", out.irradiance},
+          {"filteredVariance", out.variance}};
 }
 
-std::vector<std::string> filterGuideNames(const Configuration& configuration) {
-  std::vector<std::string> names = {"guides", "viewDepth"};
-  if (configuration.frame.roughness.present()) names.push_back("roughness");
-  return names;
+bool antialiases(const Configuration& configuration, const AntialiasingSettings& antialiasing) {
+  return configuration.output.display.present() && antialiasing.taa;
 }
 
-std::vector<std::string> addFBeta(Schedule& schedule, const Configuration& configuration) {
-  if (!dividesByFBeta(configuration)) return {};
-  schedule.buffers.push_back(transient("fBeta", Element::Float32, 3));
-  return {"fBeta"};
-}
-
-std::vector<std::string> addObjectIds(Schedule& schedule, const Configuration& configuration) {
-  if (!configuration.frame.objectId.present()) return {};
-  schedule.buffers.push_back(history("objectIds", Element::UInt32, 1));
-  return {"objectIds"};
-}
-
-std::vector<std::string> previousNames(std::vector<std::string> names) {
-  for (std::string& name : names) name += ".prev";
-  return names;
-}
-
-void addStage(Schedule& schedule, std::unique_ptr<Stage> stage, std::vector<std::string> reads,
-              std::vector<std::string> writes) {
-  schedule.stages.push_back({std::move(stage), std::move(reads), std::move(writes)});
-}
-
-void addOutputStages(Schedule& schedule, const Configuration& configuration, const std::string& filtered,
-                     bool antialias, bool skip) {
-  using Names = std::vector<std::string>;
-  const bool encodes = configuration.output.display.present() && antialias;
-  const Names surfaces = skip ? Names{kSurfacesBuffer} : Names{};
-  if (encodes) {
-    schedule.buffers.push_back(transient("encoded", Element::Float32, 3));
-    schedule.buffers.push_back(history("antialiased", Element::Float32, 3));
-  }
-  if (skip)
-    addStage(schedule, std::make_unique<Background>(encodes), surfaces,
-             encodes ? Names{"encoded", "antialiased"} : Names{});
-  addStage(schedule, std::make_unique<Remodulate>(filtered, encodes, skip),
-           joinedNames(joinedNames({filtered, "guides"}, surfaces),
-                       dividesByFBeta(configuration) ? Names{"fBeta"} : Names{}),
-           encodes ? Names{"encoded"} : Names{});
-  if (!encodes) return;
-  addStage(schedule,
-           std::make_unique<TemporalAntialiasing>(configuration.settings.get("taaNewestWeight"), skip),
-           joinedNames({"encoded", "antialiased.prev", "pixelPrev", "reprojectionMask"}, surfaces),
-           {"antialiased"});
+void addOutputStages(Schedule& table, const Configuration& configuration, const std::string& filtered,
+                     const AntialiasingSettings& antialiasing, bool skip, BackgroundAntialiasing background) {
+  const bool taa = antialiases(configuration, antialiasing);
+  const bool always = background == BackgroundAntialiasing::Always;
+  requireFBetaImages(configuration);
+  if (skip) add(table, Background(configuration, taa, always));
+  add(table, Remodulate(configuration, taa, skip), {{"filtered", filtered}});
+  if (taa) add(table, TemporalAntialiasing(configuration, antialiasing.taaNewestWeight, skip && !always));
 }
 
 }  // namespace quell

@@ -34,9 +34,10 @@ double unbiasedMse(const io::Image& image, const io::Image& referenceA, const io
   });
 }
 
+double signedRoot(double value) { return std::copysign(std::sqrt(std::abs(value)), value); }
+
 double unbiasedRmse(const io::Image& image, const io::Image& referenceA, const io::Image& referenceB) {
-  const double mean = unbiasedMse(image, referenceA, referenceB);
-  return std::copysign(std::sqrt(std::abs(mean)), mean);
+  return signedRoot(unbiasedMse(image, referenceA, referenceB));
 }
 
 double psnr(const io::Image& image, const io::Image& reference) {

@@ -20,7 +20,10 @@ double rmse(const io::Image& image, const io::Image& reference);
 /// error.
 double unbiasedMse(const io::Image& image, const io::Image& referenceA, const io::Image& referenceB);
 
-/// The square root of unbiasedMse(), with its sign: a negative m is reported as -sqrt(|m|).
+/// The square root with the value's sign: -sqrt(|v|) of a negative v.
+double signedRoot(double value);
+
+/// The signedRoot() of unbiasedMse().
 double unbiasedRmse(const io::Image& image, const io::Image& referenceA, const io::Image& referenceB);
 
 /// Peak signal-to-noise ratio for values in [0, 1], in dB: -20 log10(rmse); infinite for identical images.

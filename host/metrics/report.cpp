@@ -1,12 +1,9 @@
 #include "host/metrics/report.hpp"
 
-#include <limits>
-
 #include "host/metrics/display_encoding.hpp"
 #include "host/metrics/error.hpp"
 #include "host/metrics/flip.hpp"
 #include "host/metrics/image_checks.hpp"
-#include "host/metrics/ssim.hpp"
 
 namespace quell::metrics {
 namespace {
@@ -15,24 +12,29 @@ io::Image displayed(const io::Image& image, bool isEncoded) {
   return isEncoded ? clampEncoded(image) : encodeForDisplay(image);
 }
 
+bool applies(const Metric& metric, const Comparison& comparison) {
+  if (metric.needs == Needs::BothHalves) return !comparison.halfB.empty();
+  return metric.needs != Needs::LinearImage || !comparison.linear.empty();
+}
+
 }  // namespace
 
 ErrorFigures compareToReference(const io::Image& image, bool imageIsEncoded, const io::Image& referenceA,
                                 const io::Image& referenceB) {
   requireComparable(image, referenceA, "compare");
-  const io::Image referenceLinear = meanOfHalves(referenceA, referenceB);
-  const io::Image reference = encodeForDisplay(referenceLinear);
-  const io::Image shown = displayed(image, imageIsEncoded);
-
+  Comparison comparison;
+  if (!imageIsEncoded) comparison.linear = image;
+  comparison.shown = displayed(image, imageIsEncoded);
+  comparison.referenceLinear = meanOfHalves(referenceA, referenceB);
+  comparison.reference = encodeForDisplay(comparison.referenceLinear);
+  if (!referenceB.empty()) {
+    comparison.halfA = encodeForDisplay(referenceA);
+    comparison.halfB = encodeForDisplay(referenceB);
+  }
   ErrorFigures figures;
-  figures.rmse = rmse(shown, reference);
-  if (!referenceB.empty())
-    figures.unbiasedRmse = unbiasedRmse(shown, encodeForDisplay(referenceA), encodeForDisplay(referenceB));
-  figures.psnr = psnr(shown, reference);
-  figures.ssim =
-      isLargeEnoughForSsim(shown) ? ssim(shown, reference) : std::numeric_limits<double>::quiet_NaN();
-  figures.flip = flip(shown, reference);
-  if (!imageIsEncoded) figures.relMse = relMse(image, referenceLinear);
+  for (const Metric& metric : imageMetrics())
+    figures.values.push_back(applies(metric, comparison) ? std::optional(metric.measure(comparison))
+                                                         : std::nullopt);
   return figures;
 }
 

@@ -2,19 +2,19 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
+#include <vector>
 
-#include "host/io/image.hpp"
+#include "host/metrics/metric_table.hpp"
 
 namespace quell::metrics {
 
-/// Figures on display-encoded values unless said otherwise; definitions in error.hpp, ssim.hpp and flip.hpp.
+/// The figures of one image, in the order of imageMetrics(); nothing where a metric does not apply.
 struct ErrorFigures {
-  double rmse = 0.0;                   ///< against the mean of the halves
-  std::optional<double> unbiasedRmse;  ///< needs both halves; negative where the mean product is
-  double psnr = 0.0;                   ///< dB; infinite for identical images
-  double ssim = 0.0;                   ///< NaN for images smaller than 11x11
-  double flip = 0.0;                   ///< mean of the FLIP map at 67 pixels per degree
-  std::optional<double> relMse;        ///< on linear values; absent for an image that is encoded already
+  std::vector<std::optional<double>> values;
+
+  /// By a metric's key. Throws Error(InvalidArgument) for an unknown one.
+  const std::optional<double>& at(std::string_view key) const { return values[indexOfMetric(key)]; }
 };
 
 /// Compares `image` (3 channels, linear, or display-encoded if `imageIsEncoded`) with the reference's halves
@@ -23,7 +23,7 @@ struct ErrorFigures {
 ErrorFigures compareToReference(const io::Image& image, bool imageIsEncoded, const io::Image& referenceA,
                                 const io::Image& referenceB);
 
-/// The FLIP map (1 channel, [0, 1]) whose mean is ErrorFigures::flip; same arguments and errors.
+/// The FLIP map (1 channel, [0, 1]) whose mean is the metric `flip`; same arguments and errors.
 io::Image flipMapToReference(const io::Image& image, bool imageIsEncoded, const io::Image& referenceA,
                              const io::Image& referenceB);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/core/program_cache.hpp"
+#include "host/core/round_up.hpp"
 #include "host/render/kernel_sources.hpp"
 #include "host/render/scene_arrays.hpp"
 
@@ -29,9 +30,8 @@ Size checked(Size size) {
   return size;
 }
 
-std::size_t roundUp(int pixels) {
-  return (static_cast<std::size_t>(pixels) + kGroupEdge - 1) / kGroupEdge * kGroupEdge;
-}
+// A whole number of work-groups.
+std::size_t covering(int pixels) { return roundUp(static_cast<std::size_t>(pixels), kGroupEdge); }
 
 }  // namespace
 
@@ -42,50 +42,49 @@ DeviceTracer::DeviceTracer(const cl::Context& context, const cl::Device& device,
   m_primary = build(cacheDirectory, "primary");
   m_shade = build(cacheDirectory, "shade");
   m_compose = build(cacheDirectory, "compose");
-  TracedImages& i = m_images;
-  for (cl::Buffer* image : {&i.position, &i.normal, &i.albedo, &i.glossColor, &i.f0, &i.emission, &i.diffuse,
-                            &i.glossy, &i.color})
-    *image = makeBuffer(3);
-  for (cl::Buffer* image : {&i.motion, &m_hits}) *image = makeBuffer(2);
-  for (cl::Buffer* image : {&i.roughness, &i.objectId, &i.hitDistance}) *image = makeBuffer(1);
+  for (const auto& image : kInputs<TracedImages>)
+    if (image.hasFiles()) m_images.*image.member = makeBuffer(image.fileChannels());
+  m_images.diffuse = makeBuffer(3);
+  m_hits = makeBuffer(2);
   if (timed) startTimer();
 }
 
 void DeviceTracer::startTimer() {
   cl::Event event;
-  m_queue.enqueueFillBuffer(m_images.color, 0.0f, 0, m_images.color.getInfo<CL_MEM_SIZE>(), nullptr, &event);
+  m_queue.enqueueFillBuffer(m_images.radiance, 0.0f, 0, m_images.radiance.getInfo<CL_MEM_SIZE>(), nullptr,
+                            &event);
   event.wait();
   const bool device = FrameTimer::hasDeviceTimes(event);
   m_timer = std::make_unique<FrameTimer>(std::vector<std::string>{"primary", "shade", "compose"},
-                                         std::vector<std::uint64_t>(3, 0),
                                          device ? TimeSource::Device : TimeSource::Host);
 }
 
 void DeviceTracer::traceFeatures(const Scene& now, const Scene& before) {
   uploadScene(now, before);
   const TracedImages& i = m_images;
-  launch(kPrimaryStage, m_primary, m_nodes, m_primitives, m_materials, m_lights, i.position, i.normal,
-         i.albedo, i.glossColor, i.f0, i.emission, i.roughness, i.motion, i.objectId, m_hits, m_params);
+  launch(kPrimaryStage, m_primary, m_nodes, m_primitives, m_materials, m_lights, i.positionWorld,
+         i.normalWorld, i.albedo, i.glossColor, i.f0, i.emission, i.roughness, i.motion, i.objectId, m_hits,
+         m_params);
 }
 
 void DeviceTracer::traceLight(std::uint32_t seed, int samples, Estimator estimator,
                               const SampleProgress& progress) {
   const TracedImages& i = m_images;
-  for (const cl::Buffer* sum : {&i.diffuse, &i.glossy, &i.hitDistance})
+  for (const cl::Buffer* sum : {&i.diffuse, &i.glossyRadiance, &i.hitDistance})
     m_queue.enqueueFillBuffer(*sum, 0.0f, 0, sum->getInfo<CL_MEM_SIZE>());
   m_params.seed = seed;
   m_params.estimator = static_cast<int>(estimator);
   for (int first = 0; first < samples; first += kSamplesPerLaunch) {
     m_params.firstSample = first;
     m_params.sampleCount = std::min(kSamplesPerLaunch, samples - first);
-    launch(kShadeStage, m_shade, m_nodes, m_primitives, m_materials, m_lights, m_hits, i.diffuse, i.glossy,
-           i.hitDistance, m_params);
+    launch(kShadeStage, m_shade, m_nodes, m_primitives, m_materials, m_lights, m_hits, i.diffuse,
+           i.glossyRadiance, i.hitDistance, m_params);
     if (!progress) continue;
     m_queue.finish();
     progress(m_params.sampleCount);
   }
-  launch(kComposeStage, m_compose, i.albedo, i.glossColor, i.emission, i.diffuse, i.glossy, i.color,
-         m_size.width, m_size.height, 1.0f / static_cast<float>(samples));
+  launch(kComposeStage, m_compose, i.albedo, i.glossColor, i.emission, i.diffuse, i.glossyRadiance,
+         i.radiance, m_size.width, m_size.height, 1.0f / static_cast<float>(samples));
   if (m_timer) m_timer->endFrame();
 }
 
@@ -134,7 +133,7 @@ void DeviceTracer::launch(std::size_t stage, cl::Kernel& kernel, const Arguments
   (kernel.setArg(index++, arguments), ...);
   cl::Event event;
   m_queue.enqueueNDRangeKernel(kernel, cl::NullRange,
-                               cl::NDRange(roundUp(m_size.width), roundUp(m_size.height)),
+                               cl::NDRange(covering(m_size.width), covering(m_size.height)),
                                cl::NDRange(kGroupEdge, kGroupEdge), nullptr, m_timer ? &event : nullptr);
   if (m_timer) m_timer->add(stage, event);
 }

@@ -9,21 +9,20 @@
 #include <string>
 
 #include "host/core/frame_timer.hpp"
+#include "host/core/image_schema.hpp"
 #include "host/core/opencl.hpp"
 #include "host/render/scene.hpp"
 
 namespace quell::render {
 
-/// Packed row-major images, float unless said otherwise; what they hold is said at Features and Light
-/// (path_tracer.hpp).
+/// Packed row-major images: the picture as `radiance`, and with the number of channels of their files all images of the
+/// contract that have files (quell/frame_images.h), float, object ids 32-bit integers. More is said at Features and
+/// Light (path_tracer.hpp).
 struct TracedImages {
-  cl::Buffer position, normal, albedo, glossColor, f0, emission;  ///< 3 channels
-  cl::Buffer motion;                                              ///< 2 channels
-  cl::Buffer roughness;
-  cl::Buffer objectId;         ///< 32-bit integers
-  cl::Buffer diffuse, glossy;  ///< 3 channels
-  cl::Buffer hitDistance;
-  cl::Buffer color;  ///< 3 channels, radiance: albedo * diffuse + glossColor * glossy + emission
+#define QUELL_BUFFER(name, ...) cl::Buffer name;
+  QUELL_FRAME_IMAGES(QUELL_BUFFER)
+#undef QUELL_BUFFER
+  cl::Buffer diffuse;  ///< 3 channels: radiance = albedo * diffuse + glossColor * glossyRadiance + emission
 };
 
 /// Which of the two estimates of direct light counts; one alone is for tests.

@@ -1,6 +1,7 @@
 #include "host/render/path_tracer.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <quell/devices.hpp>
 #include <utility>
 #include <vector>
@@ -11,6 +12,11 @@ namespace quell::render {
 namespace {
 
 constexpr char kStage[] = "render";
+
+bool isLight(cl::Buffer TracedImages::*image) {
+  return image == &TracedImages::radiance || image == &TracedImages::glossyRadiance ||
+         image == &TracedImages::hitDistance;
+}
 
 // PCG hash, as in kernels/common/random.h.
 std::uint32_t hash(std::uint32_t v) {
@@ -47,22 +53,18 @@ class PathTracer::Implementation {
     m_tracer.traceFeatures(now, before);
     const TracedImages& traced = m_tracer.images();
     Features features;
-    features.position = read(traced.position, 3);
-    features.normal = read(traced.normal, 3);
-    features.albedo = read(traced.albedo, 3);
-    features.glossColor = read(traced.glossColor, 3);
-    features.f0 = read(traced.f0, 3);
-    features.emission = read(traced.emission, 3);
-    features.roughness = read(traced.roughness, 1);
-    features.motion = read(traced.motion, 2);
-    features.objectId = readIds(traced.objectId);
+    for (std::size_t i = 0; i < std::size(kInputs<TracedImages>); ++i) {
+      const auto& image = kInputs<TracedImages>[i];
+      if (image.hasFiles() && !isLight(image.member))
+        features.*kInputs<Features>[i].member = read(traced.*image.member, image);
+    }
     return features;
   }
 
   Light light(std::uint32_t seed, int samples, Estimator estimator, const SampleProgress& progress) {
     m_tracer.traceLight(seed, samples, estimator, progress);
     const TracedImages& traced = m_tracer.images();
-    return {read(traced.diffuse, 3), read(traced.glossy, 3), read(traced.hitDistance, 1)};
+    return {read(traced.diffuse, 3), read(traced.glossyRadiance, 3), read(traced.hitDistance, 1)};
   }
 
   const std::string& deviceName() const { return m_info.name; }
@@ -72,6 +74,10 @@ class PathTracer::Implementation {
     io::Image image(m_size.width, m_size.height, channels);
     m_queue.enqueueReadBuffer(buffer, CL_TRUE, 0, image.pixels.size() * sizeof(float), image.pixels.data());
     return image;
+  }
+
+  io::Image read(const cl::Buffer& buffer, const ImageFacts& facts) {
+    return facts.files.samples == FileSamples::UINT ? readIds(buffer) : read(buffer, facts.fileChannels());
   }
 
   io::Image readIds(const cl::Buffer& buffer) {

@@ -6,24 +6,15 @@
 #include <quell/frame.hpp>
 #include <string>
 
-#include "host/io/image.hpp"
+#include "host/io/frame_sequence.hpp"
 #include "host/render/device_tracer.hpp"
 #include "host/render/scene.hpp"
 
 namespace quell::render {
 
-/// What the primary rays see; free of noise. All zero (but emission and motion) where a ray leaves the scene.
-struct Features {
-  io::Image position;    ///< 3 channels, world, m
-  io::Image normal;      ///< 3 channels, world, unit length, bumps included, faces the camera
-  io::Image albedo;      ///< 3 channels, in [0, 1)
-  io::Image glossColor;  ///< 3 channels, tint of the GGX lobe beside Fresnel, in [0, 1]
-  io::Image f0;          ///< 3 channels, reflectance at normal incidence, in [0, 1]; 1: no Fresnel
-  io::Image emission;    ///< 3 channels, radiance of emitters and of the background
-  io::Image roughness;   ///< 1 channel, in [0, 1]; GGX alpha is its square
-  io::Image motion;      ///< 2 channels, px, x right, y down: previous pixel minus current pixel
-  io::Image objectId;    ///< 1 channel, whole numbers, 0 is the background
-};
+/// The images of a frame that the primary rays see, free of noise: all that have files, but light. All zero (but emission
+/// and motion) where a ray leaves the scene.
+using Features = io::FrameData;
 
 /// Means over samples.
 struct Light {

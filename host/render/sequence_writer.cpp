@@ -7,10 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <quell/error.hpp>
 #include <utility>
+#include <vector>
 
 #include "host/io/atomic_file.hpp"
+#include "host/io/cycles_sequence.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/file_error.hpp"
+#include "host/io/image_sources.hpp"
 
 namespace quell::render {
 namespace {
@@ -19,36 +22,42 @@ using nlohmann::json;
 
 constexpr char kStage[] = "render";
 constexpr char kSettingsFile[] = "render.json";
-constexpr char kCameraFile[] = "camera.json";
 /// Grows when the same settings no longer give the same pixels.
 constexpr int kRendererVersion = 1;
 
-const std::vector<std::string>& frameBuffers() {
-  static const std::vector<std::string> names = {
-      "diffuse_irradiance", "glossy_radiance", "albedo",         "gloss_color", "f0",
-      "emission",           "shading_normal",  "world_position", "roughness",   "object_id",
-      "hit_distance",       "motion",          "color"};
-  return names;
+/// The images of a frame that are written; the path tracer makes all that have files.
+std::vector<io::ImageSource> frameImages() {
+  std::vector<io::ImageSource> images;
+  for (const io::ImageSource& image : io::imageSources(2))
+    if (image.files.stem[0] != '\0') images.push_back(image);
+  return images;
 }
 
-std::vector<std::string> referenceBuffers(char half) {
-  std::vector<std::string> names;
-  for (const char* buffer : {"diffuse_irradiance", "glossy_radiance", "color"})
-    names.push_back(fmt::format("ref_{}_{}", half, buffer));
-  return names;
+std::vector<io::ImageSource> referenceImages() {
+  std::vector<io::ImageSource> images;
+  for (const io::ImageSource& image : io::imageSources(2))
+    if (image.image == &io::FrameData::radiance || image.image == &io::FrameData::glossyRadiance ||
+        image.image == &io::FrameData::combined)
+      images.push_back(image);
+  return images;
+}
+
+std::string referenceStem(char half, const io::ImageSource& image) {
+  return fmt::format("ref_{}_{}", half, image.files.stem);
 }
 
 std::string joined(const std::string& directory, const std::string& name) {
   return (std::filesystem::path(directory) / name).string();
 }
 
-bool isWhole(const std::string& path, Size size) {
-  try {
-    const io::Image image = io::readExr(path);
-    return image.width == size.width && image.height == size.height;
-  } catch (const Error&) {
-    return false;
-  }
+/// A frame of two signals.
+io::FrameData withLight(const Features& features, const Light& light) {
+  io::FrameData data = features;
+  data.radiance = light.diffuse;
+  data.glossyRadiance = light.glossy;
+  data.hitDistance = light.hitDistance;
+  data.combined = composeColor(features, light);
+  return data;
 }
 
 json rowsOf(const Matrix4& matrix) {
@@ -102,8 +111,8 @@ SequenceWriter::SequenceWriter(std::string directory, const SequenceSettings& se
   writeCameras(scene, frames);
 }
 
-std::string SequenceWriter::path(const std::string& buffer, int frame) const {
-  return joined(m_directory, fmt::format("{}_{:04}.exr", buffer, frame));
+std::string SequenceWriter::path(const std::string& stem, int frame) const {
+  return joined(m_directory, fmt::format("{}_{:04}.exr", stem, frame));
 }
 
 void SequenceWriter::writeCameras(const SceneEntry& scene, int frameCount) const {
@@ -120,48 +129,42 @@ void SequenceWriter::writeCameras(const SceneEntry& scene, int frameCount) const
   }
   const json document = {
       {"width", m_settings.size.width}, {"height", m_settings.size.height}, {"frames", std::move(frames)}};
-  io::writeTextFile(joined(m_directory, kCameraFile), document.dump(1) + "\n");
+  io::writeTextFile(joined(m_directory, io::kCyclesCameraFile), document.dump(1) + "\n");
 }
 
-bool SequenceWriter::areWhole(const std::vector<std::string>& buffers, int frame) const {
-  return std::all_of(buffers.begin(), buffers.end(), [&](const std::string& buffer) {
-    return isWhole(path(buffer, frame), m_settings.size);
+bool SequenceWriter::isWhole(const std::string& stem, int frame) const {
+  try {
+    const io::Image image = io::readExr(path(stem, frame));
+    return image.width == m_settings.size.width && image.height == m_settings.size.height;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+bool SequenceWriter::hasFrame(int frame) const {
+  const auto images = frameImages();
+  return std::all_of(images.begin(), images.end(),
+                     [&](const io::ImageSource& image) { return isWhole(image.files.stem, frame); });
+}
+
+bool SequenceWriter::hasReference(int frame, char half) const {
+  const auto images = referenceImages();
+  return std::all_of(images.begin(), images.end(), [&](const io::ImageSource& image) {
+    return isWhole(referenceStem(half, image), frame);
   });
 }
 
-bool SequenceWriter::hasFrame(int frame) const { return areWhole(frameBuffers(), frame); }
-
-bool SequenceWriter::hasReference(int frame, char half) const {
-  return areWhole(referenceBuffers(half), frame);
-}
-
 void SequenceWriter::writeFrame(int frame, const Features& features, const Light& light) const {
-  const auto write = [&](const char* buffer, const io::Image& image, io::ExrType type = io::ExrType::Half) {
-    io::writeExr(path(buffer, frame), image, type);
-  };
-  write("diffuse_irradiance", light.diffuse);
-  write("glossy_radiance", light.glossy);
-  write("albedo", features.albedo);
-  write("gloss_color", features.glossColor);
-  write("f0", features.f0);
-  write("emission", features.emission);
-  write("shading_normal", features.normal);
-  write("world_position", features.position, io::ExrType::Float);
-  write("roughness", features.roughness);
-  write("motion", features.motion);
-  write("object_id", features.objectId, io::ExrType::Uint);
-  write("hit_distance", light.hitDistance);
-  write("color", composeColor(features, light));
+  const io::FrameData data = withLight(features, light);
+  for (const io::ImageSource& image : frameImages())
+    io::writeImage(path(image.files.stem, frame), data.*image.image, image.files);
 }
 
 void SequenceWriter::writeReference(int frame, char half, const Features& features,
                                     const Light& light) const {
-  const auto write = [&](const char* buffer, const io::Image& image) {
-    io::writeExr(path(fmt::format("ref_{}_{}", half, buffer), frame), image);
-  };
-  write("diffuse_irradiance", light.diffuse);
-  write("glossy_radiance", light.glossy);
-  write("color", composeColor(features, light));
+  const io::FrameData data = withLight(features, light);
+  for (const io::ImageSource& image : referenceImages())
+    io::writeImage(path(referenceStem(half, image), frame), data.*image.image, image.files);
 }
 
 }  // namespace quell::render

@@ -1,14 +1,11 @@
-// A rendered sequence as files: the layout of host/io/cycles_sequence.hpp and more buffers.
+// A rendered sequence as files: the layout of host/io/cycles_sequence.hpp.
 //
-// For each frame NNNN: color, diffuse_irradiance, glossy_radiance, albedo, gloss_color, f0, emission,
-// shading_normal (half R G B), world_position (float R G B), roughness, hit_distance (half Y), motion (half R
-// G), object_id (32-bit unsigned Y); for frames with a reference ref_a_<buffer> and ref_b_<buffer> of color,
-// diffuse_irradiance and glossy_radiance (half R G B); camera.json with the matrices; render.json with the
+// For each frame all images of the contract that have files, light as two signals and as a whole (color); for frames
+// with a reference ref_a_<stem> and ref_b_<stem> of light alone; camera.json with the matrices; render.json with the
 // settings of the rendering.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "host/render/path_tracer.hpp"
 #include "host/render/scene_registry.hpp"
@@ -41,9 +38,9 @@ class SequenceWriter {
   void writeReference(int frame, char half, const Features& features, const Light& light) const;
 
  private:
-  std::string path(const std::string& buffer, int frame) const;
-  bool areWhole(const std::vector<std::string>& buffers, int frame) const;
-  void writeSettings(int frameCount);
+  std::string path(const std::string& stem, int frame) const;
+  /// Whether the file is there and can be read to its end.
+  bool isWhole(const std::string& stem, int frame) const;
   void writeCameras(const SceneEntry& scene, int frameCount) const;
 
   std::string m_directory;

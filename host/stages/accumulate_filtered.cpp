@@ -1,24 +1,24 @@
 #include "host/stages/accumulate_filtered.hpp"
 
-#include "host/core/frame_images.hpp"
+#include "host/stages/stage_options.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
 
 namespace quell {
 
-void AccumulateFiltered::build(const KernelBuilder& builder) {
-  m_kernel = builder.build("accumulate_filtered",
-                           "-D QUELL_SIGNALS=" + std::to_string(signalCount(builder.configuration().frame)));
-  m_workGroup = builder.pixelWorkGroup(m_kernel);
+QUELL_PORTS(AccumulateFilteredOptions, ACCUMULATE_FILTERED)
+
+AccumulateFiltered::AccumulateFiltered(const Configuration& configuration, double leastWeight, bool skip)
+    : m_leastWeight(leastWeight) {
+  QUELL_SIGNALS = signalCount(configuration.frame);
+  setSkipOptions<AccumulateFilteredOptions>(*this, configuration, skip);
 }
 
-void AccumulateFiltered::enqueue(FrameRun& run) {
+AccumulateFilteredParams AccumulateFiltered::params(const FrameRun& run) const {
   AccumulateFilteredParams params{};
-  params.planes = makePlanes(run.configuration.size());
+  params.planes = makePlanes(run.frame.size);
   params.leastWeight = static_cast<float>(m_leastWeight);
-  run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("fitted"), run.buffer("filtered.prev"),
-             run.buffer("pixelPrev"), run.buffer("reprojectionMask"), run.buffer("historyLength"),
-             run.buffer("filtered"), params);
+  return params;
 }
-
-std::uint64_t AccumulateFiltered::callerBytes(const Configuration&) const { return 0; }
 
 }  // namespace quell

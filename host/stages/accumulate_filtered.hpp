@@ -2,24 +2,23 @@
 #pragma once
 
 #include "host/core/stage.hpp"
-#include "kernels/accumulate_filtered_params.h"
+#include "kernels/accumulate_filtered_ports.h"
 
 namespace quell {
 
+QUELL_OPTIONS(AccumulateFilteredOptions, ACCUMULATE_FILTERED, "accumulate_filtered")
+
 /// See kernels/accumulate_filtered.cl for what it computes, from what and after which paper.
-class AccumulateFiltered : public Stage {
+class AccumulateFiltered : public KernelStage<AccumulateFilteredOptions, AccumulateFilteredParams> {
  public:
-  /// `leastWeight`: least weight of the newest filtered frame, (0, 1].
-  explicit AccumulateFiltered(double leastWeight) : m_leastWeight(leastWeight) {}
-  std::string name() const override { return "accumulate_filtered"; }
-  void build(const KernelBuilder& builder) override;
-  void enqueue(FrameRun& run) override;
-  std::uint64_t callerBytes(const Configuration& configuration) const override;
+  /// `leastWeight`: least weight of the newest filtered frame, (0, 1]; `skip`: leaves out background.
+  AccumulateFiltered(const Configuration& configuration, double leastWeight, bool skip);
+
+ protected:
+  AccumulateFilteredParams params(const FrameRun& run) const override;
 
  private:
   double m_leastWeight;
-  cl::Kernel m_kernel;
-  cl::NDRange m_workGroup;
 };
 
 }  // namespace quell

@@ -1,42 +1,37 @@
 #include "host/stages/atrous.hpp"
 
-#include "host/core/frame_images.hpp"
+#include "host/stages/stage_options.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
 
 namespace quell {
 
-void Atrous::build(const KernelBuilder& builder) {
-  const Frame& frame = builder.configuration().frame;
-  m_kernel = builder.build("atrous", "-D QUELL_SIGNALS=" + std::to_string(signalCount(frame)) +
-                                         " -D VARIANCE=" + (m_setup.variance.empty() ? "0" : "1") +
-                                         " -D ROUGHNESS_FORMAT=" + (readsRoughness(frame) ? "1" : "0") +
-                                         " -D FILTER_VARIANCE=" + (m_setup.varianceOut.empty() ? "0" : "1") +
-                                         " -D TAP_RADIUS=" + std::to_string(m_setup.radius) +
-                                         " -D TAP_CORNERS=" + (m_setup.corners ? "1" : "0") +
-                                         skipOption(m_setup.skip));
-  m_workGroup = builder.pixelWorkGroup(m_kernel);
+QUELL_PORTS(AtrousOptions, ATROUS)
+
+Atrous::Atrous(const Configuration& configuration, const Setup& setup) : m_setup(setup) {
+  const bool readsRoughness = setup.stops.roughnessSigma > 0.0 || setup.sharpRoughness > 0.0;
+  QUELL_SIGNALS = signalCount(configuration.frame);
+  VARIANCE = setup.variance ? 1 : 0;
+  FILTER_VARIANCE = setup.filterVariance ? 1 : 0;
+  ROUGHNESS_STOP = configuration.frame.roughness.present() && readsRoughness ? 1 : 0;
+  TAP_RADIUS = setup.radius;
+  TAP_CORNERS = setup.corners ? 1 : 0;
+  setSkipOptions<AtrousOptions>(*this, configuration, setup.skip);
 }
 
-void Atrous::enqueue(FrameRun& run) {
-  const auto bufferIf = [&](bool wanted, const std::string& name) {
-    return wanted ? run.buffer(name) : cl::Buffer();
-  };
-  const bool variance = !m_setup.variance.empty();
+AtrousParams Atrous::params(const FrameRun& run) const {
   AtrousParams params{};
-  params.planes = makePlanes(run.configuration.size());
+  params.planes = makePlanes(run.frame.size);
   params.stops = makeEdgeStopParams(m_setup.stops);
   params.luminanceSigma = static_cast<float>(m_setup.luminanceSigma);
-  params.inverseStep = 1.0f / static_cast<float>(m_setup.step);
-  params.step = m_setup.step;
+  params.inverseStep = 1.0f / static_cast<float>(step());
+  params.step = step();
   params.iteration = m_setup.iteration;
   if (m_setup.sharpRoughness > 0.0) {
     params.sharpening = 1.0f;
     params.inverseSharpRoughness = static_cast<float>(1.0 / m_setup.sharpRoughness);
   }
-  run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer(m_setup.input),
-             bufferIf(variance, m_setup.variance), run.buffer("guides"), run.buffer("viewDepth"),
-             bufferIf(readsRoughness(run.configuration.frame), "roughness"), run.buffer(m_setup.output),
-             bufferIf(!m_setup.varianceOut.empty(), m_setup.varianceOut),
-             bufferIf(m_setup.skip, kSurfacesBuffer), params);
+  return params;
 }
 
 }  // namespace quell

@@ -1,36 +1,28 @@
 #include "host/stages/background.hpp"
 
-#include "host/core/frame_images.hpp"
+#include "host/stages/stage_options.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
 
 namespace quell {
 
-void Background::build(const KernelBuilder& builder) {
-  const Configuration& configuration = builder.configuration();
-  m_kernel = builder.build("background", materialOptions(configuration) +
-                                             layoutOptions("LINEAROUTPUT", configuration.output.linear) +
-                                             layoutOptions("DISPLAYOUTPUT", configuration.output.display) +
-                                             " -D ANTIALIAS=" + (m_antialias ? "1" : "0"));
-  m_workGroup = builder.pixelWorkGroup(m_kernel);
+QUELL_PORTS(BackgroundOptions, BACKGROUND)
+
+Background::Background(const Configuration& configuration, bool antialias, bool alwaysAntialiased) {
+  setLightOptions<BackgroundOptions>(*this, configuration);
+  setSkipOptions<BackgroundOptions>(*this, configuration, true);
+  ANTIALIAS = antialias ? 1 : 0;
+  antialiasBackground = antialias && alwaysAntialiased ? 1 : 0;
 }
 
-void Background::enqueue(FrameRun& run) {
-  const Frame& frame = run.frame;
+BackgroundParams Background::params(const FrameRun& run) const {
   BackgroundParams params{};
-  params.planes = makePlanes(frame.size);
-  params.material = makeMaterialParams(frame, run.reprojection);
-  params.linearOutput = makeViewParams(run.output.linear, frame.size);
-  params.displayOutput = makeViewParams(run.output.display, frame.size);
-  params.finish = m_antialias && isJittered(frame.camera) ? 0 : 1;
-  const auto bufferIf = [&](const char* name) { return m_antialias ? run.buffer(name) : cl::Buffer(); };
-  run.launch(m_kernel, run.pixelRange(), m_workGroup, frame.radiance, frame.glossyRadiance, frame.emission,
-             frame.albedo, frame.glossColor, run.buffer(kSurfacesBuffer), bufferIf("encoded"),
-             bufferIf("antialiased"), run.output.linear, run.output.display, params);
-}
-
-// Only background is read and written; as many bytes as there would be if all of the frame were.
-std::uint64_t Background::callerBytes(const Configuration& configuration) const {
-  return materialBytes(configuration.frame) + imageBytes(configuration.output.linear, configuration.size()) +
-         imageBytes(configuration.output.display, configuration.size());
+  params.planes = makePlanes(run.frame.size);
+  params.images = makeImageParams(run.frame);
+  params.outputs = makeImageParams(run.output, run.frame.size);
+  const bool isAntialiased = ANTIALIAS != 0 && (antialiasBackground != 0 || isJittered(run.frame.camera));
+  params.finish = isAntialiased ? 0 : 1;
+  return params;
 }
 
 }  // namespace quell

@@ -2,24 +2,22 @@
 #pragma once
 
 #include "host/core/stage.hpp"
-#include "kernels/background_params.h"
+#include "kernels/background_ports.h"
 
 namespace quell {
 
-/// See kernels/background.cl for what it computes, from what and after which paper.
-class Background : public Stage {
- public:
-  /// `antialias`: whether temporal_antialiasing follows.
-  explicit Background(bool antialias) : m_antialias(antialias) {}
-  std::string name() const override { return "background"; }
-  void build(const KernelBuilder& builder) override;
-  void enqueue(FrameRun& run) override;
-  std::uint64_t callerBytes(const Configuration& configuration) const override;
+QUELL_OPTIONS(BackgroundOptions, BACKGROUND, "background")
 
- private:
-  bool m_antialias;
-  cl::Kernel m_kernel;
-  cl::NDRange m_workGroup;
+/// See kernels/background.cl for what it computes, from what and after which paper.
+class Background : public KernelStage<BackgroundOptions, BackgroundParams> {
+ public:
+  /// `antialias`: whether temporal_antialiasing follows; `antialiasBackground`: whether background takes part in it even
+  /// if rays are not jittered.
+  Background(const Configuration& configuration, bool antialias, bool antialiasBackground);
+  Coverage coverage(const Frame&) const override { return Coverage::Background; }
+
+ protected:
+  BackgroundParams params(const FrameRun& run) const override;
 };
 
 }  // namespace quell

@@ -2,30 +2,38 @@
 
 #include <algorithm>
 
-#include "host/stages/fit.hpp"
+#include "host/stages/fit_options.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
 
 namespace quell {
 
-std::string BlendedSum::label() const { return name() + signalLabel(m_signal); }
+QUELL_PORTS(BlendedSumOptions, BLENDED_SUM)
 
-void BlendedSum::build(const KernelBuilder& builder) {
-  m_kernel = builder.build("blended_sum", m_features.options() + signalOptions(m_signal) +
-                                              "-D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge));
-  m_workGroup = builder.pixelWorkGroup(m_kernel);
+BlendedSum::BlendedSum(const Configuration& configuration, const GramWindows& windows,
+                       const FitFeatures& features, int signal, bool skip)
+    : m_windows(windows), m_features(features) {
+  setFitOptions<BlendedSumOptions>(*this, configuration, features, signal, skip);
+  guidePlanes = (features.needPosition() ? 3 : 0) + 3;  // the normal tells surfaces from background
+  GRAM_TILE_EDGE = windows.tileEdge;
+  recordFloats = gramRecordFloats(windows, configuration.size(), features);
 }
 
-void BlendedSum::enqueue(FrameRun& run) {
-  GramParams params = makeGramParams(m_windows, run.configuration.size(), run.frameIndex, 0.0);
+GramParams BlendedSum::params(const FrameRun& run) const {
+  GramParams params = makeGramParams(m_windows, run.frame.size, run.frameIndex, 0.0);
   params.viewAxis = run.reprojection.viewDepth;
+  return params;
+}
+
+std::array<std::size_t, 2> BlendedSum::range(const FrameRun& run) const {
+  const GramParams grid = params(run);
   const int itemWidth = std::min(run.configuration.device.lanes, m_windows.tileEdge);
   const int itemHeight = run.configuration.device.lanes / itemWidth;
   // One more cell than tiles per axis: cells lie between tile centres.
   const auto items = [&](int tiles, int perItem) {
     return static_cast<std::size_t>((tiles + 1) * m_windows.tileEdge / perItem);
   };
-  run.launch(m_kernel, {items(params.tilesX, itemWidth), items(params.tilesY, itemHeight)}, m_workGroup,
-             run.buffer("fitRecords"), run.buffer("guides"), materialsOf(run, m_features),
-             run.buffer("fitted"), params);
+  return {items(grid.tilesX, itemWidth), items(grid.tilesY, itemHeight)};
 }
 
 }  // namespace quell

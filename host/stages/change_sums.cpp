@@ -1,21 +1,24 @@
 #include "host/stages/change_sums.hpp"
 
 #include "host/core/frame_images.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
 
 namespace quell {
 
-void ChangeSums::build(const KernelBuilder& builder) {
-  const int signals = signalCount(builder.configuration().frame);
-  m_kernel = builder.build("change_sums", "-D QUELL_SIGNALS=" + std::to_string(signals));
-  m_workGroup = builder.pixelWorkGroup(m_kernel);
+QUELL_PORTS(ChangeSumsOptions, CHANGE_SUMS)
+
+ChangeSums::ChangeSums(const Configuration& configuration, const ChangeDetection& detection)
+    : m_detection(detection) {
+  QUELL_SIGNALS = signalCount(configuration.frame);
+  changeTiles = changeTileCount(configuration.size(), QUELL_SIGNALS);
 }
 
-void ChangeSums::enqueue(FrameRun& run) {
-  ChangeParams params = makeChangeParams(m_detection, run.configuration.size());
+ChangeParams ChangeSums::params(const FrameRun& run) const {
+  ChangeParams params = makeChangeParams(m_detection, run.frame.size);
   // A restarted history has no sums.
   if (run.frameIndex == 0) params.sumsKept = 0.0f;
-  run.launch(m_kernel, tileRange(params), m_workGroup, run.buffer("innovation"), run.buffer("historyLength"),
-             run.buffer("changeSums.prev"), run.buffer("changeSums"), params);
+  return params;
 }
 
 }  // namespace quell

@@ -29,9 +29,8 @@ std::array<std::size_t, 2> tileRange(const ChangeParams& params) {
   return {static_cast<std::size_t>(params.tilesX), static_cast<std::size_t>(params.tilesY)};
 }
 
-std::size_t changeTileCount(Size size, int signals) {
-  return static_cast<std::size_t>(tilesAlong(size.width)) *
-         static_cast<std::size_t>(tilesAlong(size.height)) * static_cast<std::size_t>(signals);
+int changeTileCount(Size size, int signals) {
+  return tilesAlong(size.width) * tilesAlong(size.height) * signals;
 }
 
 }  // namespace quell

@@ -23,6 +23,6 @@ ChangeParams makeChangeParams(const ChangeDetection& detection, Size size);
 /// Work-items of a kernel that takes one a tile.
 std::array<std::size_t, 2> tileRange(const ChangeParams& params);
 /// Tiles of an image, all signals together.
-std::size_t changeTileCount(Size size, int signals);
+int changeTileCount(Size size, int signals);
 
 }  // namespace quell

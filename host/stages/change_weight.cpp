@@ -1,21 +1,23 @@
 #include "host/stages/change_weight.hpp"
 
 #include "host/core/frame_images.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
 
 namespace quell {
 
-void ChangeWeight::build(const KernelBuilder& builder) {
-  const int signals = signalCount(builder.configuration().frame);
-  m_kernel = builder.build("change_weight", "-D QUELL_SIGNALS=" + std::to_string(signals));
-  m_workGroup = builder.pixelWorkGroup(m_kernel);
+QUELL_PORTS(ChangeWeightOptions, CHANGE_WEIGHT)
+
+ChangeWeight::ChangeWeight(const Configuration& configuration, const ChangeDetection& detection)
+    : m_detection(detection) {
+  QUELL_SIGNALS = signalCount(configuration.frame);
+  changeTiles = changeTileCount(configuration.size(), QUELL_SIGNALS);
 }
 
-void ChangeWeight::enqueue(FrameRun& run) {
-  ChangeParams params = makeChangeParams(m_detection, run.configuration.size());
+ChangeParams ChangeWeight::params(const FrameRun& run) const {
+  ChangeParams params = makeChangeParams(m_detection, run.frame.size);
   params.restarted = run.frameIndex == 0 ? 1 : 0;
-  run.launch(m_kernel, tileRange(params), m_workGroup, run.buffer("changeSums"),
-             run.buffer("recentChange.prev"), run.buffer("recentChange"), run.buffer("changeWeights"),
-             params);
+  return params;
 }
 
 }  // namespace quell

@@ -3,22 +3,23 @@
 
 #include "host/core/stage.hpp"
 #include "host/stages/change_tiles.hpp"
+#include "kernels/change_weight_ports.h"
 
 namespace quell {
 
+QUELL_OPTIONS(ChangeWeightOptions, CHANGE_WEIGHT, "change_weight")
+
 /// See kernels/change_weight.cl for what it computes, from what and after which paper.
-class ChangeWeight : public Stage {
+class ChangeWeight : public KernelStage<ChangeWeightOptions, ChangeParams> {
  public:
-  explicit ChangeWeight(const ChangeDetection& detection) : m_detection(detection) {}
-  std::string name() const override { return "change_weight"; }
-  void build(const KernelBuilder& builder) override;
-  void enqueue(FrameRun& run) override;
-  std::uint64_t callerBytes(const Configuration&) const override { return 0; }
+  ChangeWeight(const Configuration& configuration, const ChangeDetection& detection);
+
+ protected:
+  ChangeParams params(const FrameRun& run) const override;
+  std::array<std::size_t, 2> range(const FrameRun& run) const override { return tileRange(params(run)); }
 
  private:
   ChangeDetection m_detection;
-  cl::Kernel m_kernel;
-  cl::NDRange m_workGroup;
 };
 
 }  // namespace quell

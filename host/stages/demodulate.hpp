@@ -2,21 +2,20 @@
 #pragma once
 
 #include "host/core/stage.hpp"
-#include "kernels/demodulate_params.h"
+#include "kernels/demodulate_ports.h"
 
 namespace quell {
 
-/// See kernels/demodulate.cl for what it computes, from what and after which paper.
-class Demodulate : public Stage {
- public:
-  std::string name() const override { return "demodulate"; }
-  void build(const KernelBuilder& builder) override;
-  void enqueue(FrameRun& run) override;
-  std::uint64_t callerBytes(const Configuration& configuration) const override;
+QUELL_OPTIONS(DemodulateOptions, DEMODULATE, "demodulate")
 
- private:
-  cl::Kernel m_kernel;
-  cl::NDRange m_workGroup;
+/// See kernels/demodulate.cl for what it computes, from what and after which paper.
+class Demodulate : public KernelStage<DemodulateOptions, DemodulateParams> {
+ public:
+  /// `skip`: finds the background; see kernels/common/surfaces.h.
+  Demodulate(const Configuration& configuration, bool skip);
+
+ protected:
+  DemodulateParams params(const FrameRun& run) const override;
 };
 
 }  // namespace quell

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <quell/error.hpp>
 
+#include "host/stages/fit_options.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
+
 namespace quell {
 namespace {
 
@@ -26,6 +30,8 @@ int offsetAlong(std::uint32_t frameIndex, double step) {
 
 }  // namespace
 
+QUELL_PORTS(FitOptions, FIT)
+
 int blockCount(Size size) { return blocksAlong(size.width) * blocksAlong(size.height); }
 
 FitParams makeFitParams(Size size, std::uint32_t frameIndex, double noiseAmplitude) {
@@ -40,24 +46,18 @@ FitParams makeFitParams(Size size, std::uint32_t frameIndex, double noiseAmplitu
   return params;
 }
 
-const cl::Buffer& materialsOf(const FrameRun& run, const FitFeatures& features) {
-  return run.buffer(features.needMaterial() ? "materials" : "guides");
+int fitRecordFloats(Size size, const FitFeatures& features) {
+  return blockCount(size) * features.recordSize();
 }
 
-std::size_t Fit::recordElements(Size size, const FitFeatures& features) {
-  return static_cast<std::size_t>(blockCount(size)) * static_cast<std::size_t>(features.recordSize());
-}
-
-std::size_t Fit::storageElements(Size size, FeatureStorage storage, const FitFeatures& features) {
-  if (storage == FeatureStorage::Float) return 1;
-  const auto columns = static_cast<std::size_t>(features.count() + QUELL_FIT_CHANNELS);
-  return static_cast<std::size_t>(blockCount(size)) * columns * QUELL_BLOCK_PIXELS / 2;
-}
-
-std::string signalOptions(int signal) { return "-D QUELL_SIGNAL=" + std::to_string(signal) + " "; }
-
-std::string signalLabel(int signal) {
-  return signal == 0 ? "" : " (signal " + std::to_string(signal + 1) + ")";
+Fit::Fit(const Configuration& configuration, const FitFeatures& features, const Setup& setup)
+    : m_setup(setup), m_features(features) {
+  setFitOptions<FitOptions>(*this, configuration, features, setup.signal, setup.skip);
+  FIT_STORAGE_HALF = setup.storage == FeatureStorage::Half ? 1 : 0;
+  FIT_UNROLL = configuration.device.isCpu ? 0 : 1;
+  recordFloats = fitRecordFloats(configuration.size(), features);
+  storageHalves = std::int64_t{blockCount(configuration.size())} * (features.count() + QUELL_FIT_CHANNELS) *
+                  QUELL_BLOCK_PIXELS;
 }
 
 void Fit::build(const KernelBuilder& builder) {
@@ -66,30 +66,29 @@ void Fit::build(const KernelBuilder& builder) {
   // 256 logical lanes are shared out, so lanes and work-items together must not exceed them; the pivot of each of up to
   // 16 features comes from a lane of its own, so they must not be fewer either.
   const std::size_t least = std::max<std::size_t>(1, QUELL_MOST_FEATURES / lanes);
-  m_groupSize = std::min(builder.groupSize(configuration.options.fitGroup, lanes > 1 ? 1 : kGpuGroup),
-                         kGpuGroup / lanes);
-  m_groupSize = std::max(m_groupSize, least);
-  for (;; m_groupSize /= 2) {
-    m_kernel =
-        builder.build("fit", m_features.options() + signalOptions(m_signal) +
-                                 "-D FIT_GROUP_SIZE=" + std::to_string(m_groupSize) +
-                                 " -D FIT_STORAGE_HALF=" + (m_storage == FeatureStorage::Half ? "1" : "0") +
-                                 " -D FIT_UNROLL=" + (configuration.device.isCpu ? "0" : "1"));
-    if (builder.maxWorkGroup(m_kernel) >= m_groupSize) break;
-    if (m_groupSize == least)
+  std::size_t group = std::min(builder.groupSize(configuration.options.fitGroup, lanes > 1 ? 1 : kGpuGroup),
+                               kGpuGroup / lanes);
+  group = std::max(group, least);
+  for (;; group /= 2) {
+    FIT_GROUP_SIZE = static_cast<int>(group);
+    KernelStage::build(builder);
+    if (builder.maxWorkGroup(m_kernel) >= group) break;
+    if (group == least)
       throw Error(ErrorCode::BuildFailed, {"fit", "work-group", std::to_string(least) + " work-items or more",
                                            std::to_string(builder.maxWorkGroup(m_kernel))});
   }
+  m_workGroup = cl::NDRange(group, 1);
 }
 
-void Fit::enqueue(FrameRun& run) {
-  const Size size = run.configuration.size();
-  FitParams params = makeFitParams(size, run.frameIndex, m_noiseAmplitude);
+FitParams Fit::params(const FrameRun& run) const {
+  FitParams params = makeFitParams(run.frame.size, run.frameIndex, m_setup.noiseAmplitude);
   params.viewAxis = run.reprojection.viewDepth;
-  const std::size_t items = static_cast<std::size_t>(blockCount(size)) * m_groupSize;
-  run.launch(m_kernel, {items, 1}, cl::NDRange(m_groupSize, 1), run.buffer("irradiance"),
-             run.buffer("guides"), materialsOf(run, m_features), run.buffer("fitRecords"),
-             run.buffer("fitStorage"), params);
+  return params;
+}
+
+std::array<std::size_t, 2> Fit::range(const FrameRun& run) const {
+  const FitParams grid = params(run);
+  return {static_cast<std::size_t>(grid.blocksX * grid.blocksY) * m_workGroup[0], 1};
 }
 
 }  // namespace quell

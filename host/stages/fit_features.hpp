@@ -1,45 +1,16 @@
-// The features of a fit: the language of the setting `features`, and what a list of them is compiled to.
-//
-// A list is separated by commas. The constant 1 is always a feature, always the first one, and may be left out.
-//   nx ny nz        shading normal, world space                    group n
-//   wx wy wz        position relative to the camera, world axes    group w
-//   depth           along the view axis (perspective cameras)
-//   gx gy           horizontal and vertical gradient, 0 to 1 over the block or window    group g
-//   ar ag ab        albedo, red, green and blue                    group albedo
-//   roughness       of the image Frame::roughness
-//   v2 v3           square and cube of any of these, or v^2, v^3; w2 squares the group
-//   sqrt(v)         square root of the absolute value; not of gx and gy
-//   u*v             product; with groups, of every pair of components (w*w: of every two different ones)
-//   u-v             difference of two components of n or of w; w-w: every two different ones
-// That is the pool of the master's thesis of Flatval (2020), table 5.3, with the gradients and the roughness of
-// Koskela et al. 2019. Departures: positions are relative to the camera instead of the world origin; powers and
-// products are taken of variables that the block has scaled to [0, 1], which spans the same space as long as the
-// lower powers are in the list; roots and differences of positions are taken first and then scaled.
+// The features of a fit: what a list of them (feature_list.hpp) is compiled to.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "host/stages/feature_list.hpp"
 #include "kernels/gram_params.h"
 
 namespace quell {
 
 /// T of Koskela et al. 2019.
 constexpr char kDefaultFeatures[] = "1,n,w,w2";
-
-/// Where a quantity of a pixel comes from.
-enum class FeatureSource { Position, Normal, Depth, Gradient, Albedo, Roughness };
-
-/// A quantity of a pixel that features are products of.
-struct FeatureVariable {
-  std::string name;   ///< canonical, such as "wx", "sqrt(nx)" or "wy-wz"
-  std::string value;  ///< in the terms of kernels/common/fit_features.h
-  /// Unbounded variables are scaled to [0, 1] in every block; this is what rounding noise is measured by, an expression
-  /// in `distance`. Empty: bounded, left as it is.
-  std::string size;
-  int order = 0;  ///< in products
-  FeatureSource source = FeatureSource::Position;
-};
 
 class FitFeatures {
  public:
@@ -58,6 +29,8 @@ class FitFeatures {
   bool needAlbedo() const { return uses(FeatureSource::Albedo); }
   bool needRoughness() const { return uses(FeatureSource::Roughness); }
   bool needMaterial() const { return needAlbedo() || needRoughness(); }
+  bool needNormal() const { return uses(FeatureSource::Normal); }
+  bool needPosition() const { return uses(FeatureSource::Position) || uses(FeatureSource::Depth); }
 
   /// Features whose sums gram_sums collects. For overlapping windows these are all features of the list and what a
   /// change of scaling brings in: every product with some of its unbounded factors left out. Throws Error(OutOfRange) if
@@ -75,25 +48,21 @@ class FitFeatures {
   int gramPlanes(bool overlap) const { return QUELL_GRAM_PLANES_OF(gramCount(overlap), scaledCount()); }
 
  private:
-  using Product = std::vector<FeatureVariable>;  // in canonical order; empty: the constant
-
   bool uses(FeatureSource source) const;
-  void add(const Product& product);
+  void add(const FeatureProduct& product);
   void collectScaled();
-  std::vector<Product> closure() const;
+  std::vector<FeatureProduct> closure() const;
   int scaledIndex(const FeatureVariable& variable) const;
-  std::string productValue(const Product& product) const;
-  std::string commonOptions(const std::vector<Product>& products) const;
-  std::string rescaleList(const std::vector<Product>& products) const;
-  std::string rescaleSteps(const std::vector<Product>& products, const std::string& variable) const;
+  std::string productValue(const FeatureProduct& product) const;
+  std::string commonOptions(const std::vector<FeatureProduct>& products) const;
+  std::string rescaleList(const std::vector<FeatureProduct>& products) const;
+  std::string rescaleSteps(const std::vector<FeatureProduct>& products, const std::string& variable) const;
 
-  std::vector<Product> m_products;
+  std::vector<FeatureProduct> m_products;
   std::vector<FeatureVariable> m_scaled;
 };
 
 /// A list as its single features, groups taken apart; the constant is left out. Throws as FitFeatures().
 std::vector<std::string> expandFeatures(const std::string& list);
-/// The entries of a list as written, without blanks; "1" is left out.
-std::vector<std::string> splitFeatures(const std::string& list);
 
 }  // namespace quell

@@ -1,21 +1,22 @@
 #include "host/stages/follow_change.hpp"
 
-#include "host/core/frame_images.hpp"
+#include "host/stages/stage_options.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
 
 namespace quell {
 
-void FollowChange::build(const KernelBuilder& builder) {
-  const int signals = signalCount(builder.configuration().frame);
-  m_kernel =
-      builder.build("follow_change", "-D QUELL_SIGNALS=" + std::to_string(signals) + skipOption(m_skip));
-  m_workGroup = builder.pixelWorkGroup(m_kernel);
+QUELL_PORTS(FollowChangeOptions, FOLLOW_CHANGE)
+
+FollowChange::FollowChange(const Configuration& configuration, const ChangeDetection& detection, bool skip)
+    : m_detection(detection) {
+  QUELL_SIGNALS = signalCount(configuration.frame);
+  changeTiles = changeTileCount(configuration.size(), QUELL_SIGNALS);
+  setSkipOptions<FollowChangeOptions>(*this, configuration, skip);
 }
 
-void FollowChange::enqueue(FrameRun& run) {
-  ChangeParams params = makeChangeParams(m_detection, run.configuration.size());
-  run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("changeWeights"),
-             run.buffer("newestIrradiance"), run.buffer("irradiance"), run.buffer("moments"),
-             run.buffer("historyLength"), m_skip ? run.buffer(kSurfacesBuffer) : cl::Buffer(), params);
+ChangeParams FollowChange::params(const FrameRun& run) const {
+  return makeChangeParams(m_detection, run.frame.size);
 }
 
 }  // namespace quell

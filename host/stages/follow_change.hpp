@@ -3,24 +3,23 @@
 
 #include "host/core/stage.hpp"
 #include "host/stages/change_tiles.hpp"
+#include "kernels/follow_change_ports.h"
 
 namespace quell {
 
+QUELL_OPTIONS(FollowChangeOptions, FOLLOW_CHANGE, "follow_change")
+
 /// See kernels/follow_change.cl for what it computes, from what and after which paper.
-class FollowChange : public Stage {
+class FollowChange : public KernelStage<FollowChangeOptions, ChangeParams> {
  public:
   /// `skip`: leaves out background; see kernels/common/surfaces.h.
-  FollowChange(const ChangeDetection& detection, bool skip) : m_detection(detection), m_skip(skip) {}
-  std::string name() const override { return "follow_change"; }
-  void build(const KernelBuilder& builder) override;
-  void enqueue(FrameRun& run) override;
-  std::uint64_t callerBytes(const Configuration&) const override { return 0; }
+  FollowChange(const Configuration& configuration, const ChangeDetection& detection, bool skip);
+
+ protected:
+  ChangeParams params(const FrameRun& run) const override;
 
  private:
   ChangeDetection m_detection;
-  bool m_skip;
-  cl::Kernel m_kernel;
-  cl::NDRange m_workGroup;
 };
 
 }  // namespace quell

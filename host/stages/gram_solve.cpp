@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+// After all others: short names.
+#include "host/core/port_columns.hpp"
+
 namespace quell {
 namespace {
 
@@ -10,21 +13,30 @@ constexpr std::size_t kGpuGroup = 64;
 
 }  // namespace
 
-void GramSolve::build(const KernelBuilder& builder) {
-  m_kernel = builder.build("gram_solve", m_features.gramOptions(m_windows.overlap) +
-                                             "-D GRAM_OVERLAP=" + (m_windows.overlap ? "1" : "0"));
-  m_groupSize =
-      builder.configuration().device.lanes > 1 ? 1 : std::min(kGpuGroup, builder.maxWorkGroup(m_kernel));
+QUELL_PORTS(GramSolveOptions, GRAM_SOLVE)
+
+GramSolve::GramSolve(const Configuration& configuration, const GramWindows& windows, double noiseAmplitude,
+                     const FitFeatures& features)
+    : m_windows(windows), m_noiseAmplitude(noiseAmplitude), m_features(features) {
+  GRAM_OVERLAP = windows.overlap ? 1 : 0;
+  tileFloats = gramTileFloats(windows, configuration.size(), features);
+  recordFloats = gramRecordFloats(windows, configuration.size(), features);
 }
 
-void GramSolve::enqueue(FrameRun& run) {
-  const GramParams params =
-      makeGramParams(m_windows, run.configuration.size(), run.frameIndex, m_noiseAmplitude);
-  const std::size_t lanes = static_cast<std::size_t>(run.configuration.device.lanes);
-  const std::size_t windows =
-      static_cast<std::size_t>(params.tilesX) * static_cast<std::size_t>(params.tilesY);
-  run.launch(m_kernel, {(windows + lanes - 1) / lanes, 1}, cl::NDRange(m_groupSize, 1),
-             run.buffer("gramTiles"), run.buffer("fitRecords"), params);
+void GramSolve::build(const KernelBuilder& builder) {
+  KernelStage::build(builder);
+  const bool narrow = builder.configuration().device.lanes == 1;
+  m_workGroup = cl::NDRange(narrow ? std::min(kGpuGroup, builder.maxWorkGroup(m_kernel)) : 1, 1);
+}
+
+GramParams GramSolve::params(const FrameRun& run) const {
+  return makeGramParams(m_windows, run.frame.size, run.frameIndex, m_noiseAmplitude);
+}
+
+std::array<std::size_t, 2> GramSolve::range(const FrameRun& run) const {
+  const GramParams grid = params(run);
+  const int lanes = run.configuration.device.lanes;
+  return {static_cast<std::size_t>((grid.tilesX * grid.tilesY + lanes - 1) / lanes), 1};
 }
 
 }  // namespace quell

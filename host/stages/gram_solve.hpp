@@ -2,26 +2,29 @@
 #pragma once
 
 #include "host/stages/gram_windows.hpp"
+#include "kernels/gram_solve_ports.h"
 
 namespace quell {
 
+QUELL_OPTIONS(GramSolveOptions, GRAM_SOLVE, "gram_solve")
+
 /// See kernels/gram_solve.cl for what it computes, from what and after which paper.
-class GramSolve : public Stage {
+class GramSolve : public KernelStage<GramSolveOptions, GramParams> {
  public:
   /// `noiseAmplitude`: see makeGramParams.
-  GramSolve(const GramWindows& windows, double noiseAmplitude, const FitFeatures& features)
-      : m_windows(windows), m_noiseAmplitude(noiseAmplitude), m_features(features) {}
-  std::string name() const override { return "gram_solve"; }
+  GramSolve(const Configuration& configuration, const GramWindows& windows, double noiseAmplitude,
+            const FitFeatures& features);
   void build(const KernelBuilder& builder) override;
-  void enqueue(FrameRun& run) override;
-  std::uint64_t callerBytes(const Configuration&) const override { return 0; }
+
+ protected:
+  GramParams params(const FrameRun& run) const override;
+  std::array<std::size_t, 2> range(const FrameRun& run) const override;
+  std::string textDefines() const override { return m_features.gramOptions(m_windows.overlap); }
 
  private:
   GramWindows m_windows;
   double m_noiseAmplitude;
   FitFeatures m_features;
-  cl::Kernel m_kernel;
-  std::size_t m_groupSize = 1;
 };
 
 }  // namespace quell

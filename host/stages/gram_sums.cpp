@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include "host/stages/fit.hpp"
+#include "host/stages/fit_options.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
 
 namespace quell {
 namespace {
@@ -12,31 +14,41 @@ constexpr std::size_t kGpuGroup = 128;
 
 }  // namespace
 
-std::string GramSums::label() const { return name() + signalLabel(m_signal); }
+QUELL_PORTS(GramSumsOptions, GRAM_SUMS)
+
+GramSums::GramSums(const Configuration& configuration, const GramWindows& windows,
+                   const FitFeatures& features, int signal, bool skip)
+    : m_windows(windows), m_features(features) {
+  setFitOptions<GramSumsOptions>(*this, configuration, features, signal, skip);
+  GRAM_TILE_EDGE = windows.tileEdge;
+  GRAM_MIRROR = windows.overlap ? 0 : 1;
+  tileFloats = gramTileFloats(windows, configuration.size(), features);
+}
 
 void GramSums::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
   // With sixteen lanes a work-item has a tile to itself.
-  m_groupSize =
+  std::size_t group =
       configuration.device.lanes > 1 ? 1 : builder.groupSize(configuration.options.fitGroup, kGpuGroup);
   // One work-item alone would add up 1024 pixels in one chain, and lose digits.
-  if (configuration.device.lanes == 1) m_groupSize = std::max<std::size_t>(m_groupSize, 2);
-  for (;; m_groupSize /= 2) {
-    m_kernel =
-        builder.build("gram_sums", m_features.gramOptions(m_windows.overlap) + signalOptions(m_signal) +
-                                       "-D GRAM_GROUP_SIZE=" + std::to_string(m_groupSize) +
-                                       " -D GRAM_TILE_EDGE=" + std::to_string(m_windows.tileEdge) +
-                                       " -D GRAM_MIRROR=" + (m_windows.overlap ? "0" : "1"));
-    if (m_groupSize == 1 || builder.maxWorkGroup(m_kernel) >= m_groupSize) break;
+  if (configuration.device.lanes == 1) group = std::max<std::size_t>(group, 2);
+  for (;; group /= 2) {
+    GRAM_GROUP_SIZE = static_cast<int>(group);
+    KernelStage::build(builder);
+    if (group == 1 || builder.maxWorkGroup(m_kernel) >= group) break;
   }
+  m_workGroup = cl::NDRange(group, 1);
 }
 
-void GramSums::enqueue(FrameRun& run) {
-  GramParams params = makeGramParams(m_windows, run.configuration.size(), run.frameIndex, 0.0);
+GramParams GramSums::params(const FrameRun& run) const {
+  GramParams params = makeGramParams(m_windows, run.frame.size, run.frameIndex, 0.0);
   params.viewAxis = run.reprojection.viewDepth;
-  const std::size_t tiles = static_cast<std::size_t>(params.tilesX) * static_cast<std::size_t>(params.tilesY);
-  run.launch(m_kernel, {tiles * m_groupSize, 1}, cl::NDRange(m_groupSize, 1), run.buffer("irradiance"),
-             run.buffer("guides"), materialsOf(run, m_features), run.buffer("gramTiles"), params);
+  return params;
+}
+
+std::array<std::size_t, 2> GramSums::range(const FrameRun& run) const {
+  const GramParams grid = params(run);
+  return {static_cast<std::size_t>(grid.tilesX * grid.tilesY) * m_workGroup[0], 1};
 }
 
 }  // namespace quell

@@ -2,27 +2,30 @@
 #pragma once
 
 #include "host/stages/gram_windows.hpp"
+#include "kernels/gram_sums_ports.h"
 
 namespace quell {
 
+QUELL_OPTIONS(GramSumsOptions, GRAM_SUMS, "gram_sums")
+
 /// See kernels/gram_sums.cl for what it computes, from what and after which paper.
-class GramSums : public Stage {
+class GramSums : public KernelStage<GramSumsOptions, GramParams> {
  public:
-  /// `signal`: the one that is fitted, 0 or 1.
-  GramSums(const GramWindows& windows, const FitFeatures& features, int signal)
-      : m_windows(windows), m_features(features), m_signal(signal) {}
-  std::string name() const override { return "gram_sums"; }
-  std::string label() const override;
+  /// `signal`: the one that is fitted, 0 or 1; `skip`: leaves out tiles of background (where one
+  /// work-item has a tile).
+  GramSums(const Configuration& configuration, const GramWindows& windows, const FitFeatures& features,
+           int signal, bool skip);
+  std::string label() const override { return name() + signalLabel(QUELL_SIGNAL); }
   void build(const KernelBuilder& builder) override;
-  void enqueue(FrameRun& run) override;
-  std::uint64_t callerBytes(const Configuration&) const override { return 0; }
+
+ protected:
+  GramParams params(const FrameRun& run) const override;
+  std::array<std::size_t, 2> range(const FrameRun& run) const override;
+  std::string textDefines() const override { return m_features.gramOptions(m_windows.overlap); }
 
  private:
   GramWindows m_windows;
   FitFeatures m_features;
-  int m_signal;
-  std::size_t m_groupSize = 1;
-  cl::Kernel m_kernel;
 };
 
 }  // namespace quell

@@ -27,14 +27,12 @@ GramParams makeGramParams(const GramWindows& windows, Size size, std::uint32_t f
   return params;
 }
 
-std::size_t gramTileElements(const GramWindows& windows, Size size, const FitFeatures& features) {
-  return static_cast<std::size_t>(tileCount(makeGramParams(windows, size, 0, 0.0))) *
-         static_cast<std::size_t>(features.gramPlanes(windows.overlap));
+int gramTileFloats(const GramWindows& windows, Size size, const FitFeatures& features) {
+  return tileCount(makeGramParams(windows, size, 0, 0.0)) * features.gramPlanes(windows.overlap);
 }
 
-std::size_t gramRecordElements(const GramWindows& windows, Size size, const FitFeatures& features) {
-  return static_cast<std::size_t>(tileCount(makeGramParams(windows, size, 0, 0.0))) *
-         static_cast<std::size_t>(features.recordSize());
+int gramRecordFloats(const GramWindows& windows, Size size, const FitFeatures& features) {
+  return tileCount(makeGramParams(windows, size, 0, 0.0)) * features.recordSize();
 }
 
 }  // namespace quell

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/core/stage.hpp"
-#include "host/stages/fit_features.hpp"
+#include "host/stages/fit_options.hpp"
 #include "kernels/gram_params.h"
 
 namespace quell {
@@ -20,8 +20,8 @@ struct GramWindows {
 GramParams makeGramParams(const GramWindows& windows, Size size, std::uint32_t frameIndex,
                           double noiseAmplitude);
 
-/// Elements of the buffers "gramTiles" and "fitRecords".
-std::size_t gramTileElements(const GramWindows& windows, Size size, const FitFeatures& features);
-std::size_t gramRecordElements(const GramWindows& windows, Size size, const FitFeatures& features);
+/// Floats of the buffers "gramTiles" and "fitRecords".
+int gramTileFloats(const GramWindows& windows, Size size, const FitFeatures& features);
+int gramRecordFloats(const GramWindows& windows, Size size, const FitFeatures& features);
 
 }  // namespace quell

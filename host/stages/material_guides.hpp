@@ -3,26 +3,20 @@
 
 #include "host/core/stage.hpp"
 #include "host/stages/fit_features.hpp"
+#include "kernels/material_guides_ports.h"
 
 namespace quell {
 
+QUELL_OPTIONS(MaterialGuidesOptions, MATERIAL_GUIDES, "material_guides")
+
 /// See kernels/material_guides.cl for what it computes, from what and after which paper.
-class MaterialGuides : public Stage {
+class MaterialGuides : public KernelStage<MaterialGuidesOptions, MaterialGuidesParams> {
  public:
   /// Only the images that these features need are read.
-  explicit MaterialGuides(const FitFeatures& features) : m_features(features) {}
-  std::string name() const override { return "material_guides"; }
-  void build(const KernelBuilder& builder) override;
-  void enqueue(FrameRun& run) override;
-  std::uint64_t callerBytes(const Configuration& configuration) const override;
+  explicit MaterialGuides(const FitFeatures& features);
 
- private:
-  ImageView albedoOf(const Frame& frame) const;
-  ImageView roughnessOf(const Frame& frame) const;
-
-  FitFeatures m_features;
-  cl::Kernel m_kernel;
-  cl::NDRange m_workGroup;
+ protected:
+  MaterialGuidesParams params(const FrameRun& run) const override;
 };
 
 }  // namespace quell

@@ -1,29 +1,30 @@
 #include "host/stages/temporal_antialiasing.hpp"
 
-#include "host/core/frame_images.hpp"
+#include "host/stages/stage_options.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
 
 namespace quell {
 
-void TemporalAntialiasing::build(const KernelBuilder& builder) {
-  m_kernel =
-      builder.build("temporal_antialiasing",
-                    layoutOptions("OUTPUT", builder.configuration().output.display) + skipOption(m_skip));
-  m_workGroup = builder.pixelWorkGroup(m_kernel);
+QUELL_PORTS(TemporalAntialiasingOptions, TEMPORAL_ANTIALIASING)
+
+TemporalAntialiasing::TemporalAntialiasing(const Configuration& configuration, double newestWeight, bool skip)
+    : m_newestWeight(newestWeight) {
+  QUELL_SIGNALS = signalCount(configuration.frame);
+  setSkipOptions<TemporalAntialiasingOptions>(*this, configuration, skip);
 }
 
-void TemporalAntialiasing::enqueue(FrameRun& run) {
+Coverage TemporalAntialiasing::coverage(const Frame& frame) const {
+  return isJittered(frame.camera) ? Coverage::Everything : Coverage::Surfaces;
+}
+
+TemporalAntialiasingParams TemporalAntialiasing::params(const FrameRun& run) const {
   TemporalAntialiasingParams params{};
-  params.planes = makePlanes(run.configuration.size());
-  params.output = makeViewParams(run.output.display, run.configuration.size());
+  params.planes = makePlanes(run.frame.size);
+  params.outputs = makeImageParams(run.output, run.frame.size);
   params.newestWeight = static_cast<float>(m_newestWeight);
-  params.jitters = isJittered(run.frame.camera) ? 1 : 0;
-  run.launch(m_kernel, run.pixelRange(), m_workGroup, run.buffer("encoded"), run.buffer("antialiased.prev"),
-             run.buffer("pixelPrev"), run.buffer("reprojectionMask"), run.buffer("antialiased"),
-             run.output.display, m_skip ? run.buffer(kSurfacesBuffer) : cl::Buffer(), params);
-}
-
-std::uint64_t TemporalAntialiasing::callerBytes(const Configuration& configuration) const {
-  return imageBytes(configuration.output.display, configuration.size());
+  params.antialiasBackground = isJittered(run.frame.camera) ? 1 : 0;
+  return params;
 }
 
 }  // namespace quell

@@ -3,12 +3,14 @@
 
 #include "host/core/stage.hpp"
 #include "host/stages/edge_stops.hpp"
-#include "kernels/variance_params.h"
+#include "kernels/variance_ports.h"
 
 namespace quell {
 
+QUELL_OPTIONS(VarianceOptions, VARIANCE, "variance")
+
 /// See kernels/variance.cl for what it computes, from what and after which paper.
-class Variance : public Stage {
+class Variance : public KernelStage<VarianceOptions, VarianceParams> {
  public:
   struct Setup {
     EdgeStops stops;
@@ -16,16 +18,13 @@ class Variance : public Stage {
     bool skip = false;       ///< leaves out background; see kernels/common/surfaces.h
     bool ofMean = false;     ///< variance of the mean over the history, else of its samples
   };
-  explicit Variance(const Setup& setup) : m_setup(setup) {}
-  std::string name() const override { return "variance"; }
-  void build(const KernelBuilder& builder) override;
-  void enqueue(FrameRun& run) override;
-  std::uint64_t callerBytes(const Configuration&) const override { return 0; }
+  Variance(const Configuration& configuration, const Setup& setup);
+
+ protected:
+  VarianceParams params(const FrameRun& run) const override;
 
  private:
   Setup m_setup;
-  cl::Kernel m_kernel;
-  cl::NDRange m_workGroup;
 };
 
 }  // namespace quell

@@ -1,28 +1,32 @@
 #include "host/stages/weighted_sum.hpp"
 
-#include "host/stages/fit.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
 
 namespace quell {
 
-std::string WeightedSum::label() const { return name() + signalLabel(m_signal); }
+QUELL_PORTS(WeightedSumOptions, WEIGHTED_SUM)
 
-void WeightedSum::build(const KernelBuilder& builder) {
-  m_kernel = builder.build("weighted_sum", m_features.options() + signalOptions(m_signal));
-  m_workGroup = builder.pixelWorkGroup(m_kernel);
+WeightedSum::WeightedSum(const Configuration& configuration, const FitFeatures& features, int signal,
+                         bool skip)
+    : m_features(features) {
+  setFitOptions<WeightedSumOptions>(*this, configuration, features, signal, skip);
+  guidePlanes = (features.needPosition() ? 3 : 0) + 3;  // the normal tells surfaces from background
+  recordFloats = fitRecordFloats(configuration.size(), features);
 }
 
-void WeightedSum::enqueue(FrameRun& run) {
+FitParams WeightedSum::params(const FrameRun& run) const {
   // The amplitude only matters to the fit: the synthesis uses noise-free features.
-  FitParams params = makeFitParams(run.configuration.size(), run.frameIndex, 0.0);
+  FitParams params = makeFitParams(run.frame.size, run.frameIndex, 0.0);
   params.viewAxis = run.reprojection.viewDepth;
-  const std::size_t itemsPerBlock =
-      QUELL_BLOCK_EDGE / static_cast<std::size_t>(run.configuration.device.lanes);
-  const std::array<std::size_t, 2> range = {static_cast<std::size_t>(params.blocksX) * itemsPerBlock,
-                                            static_cast<std::size_t>(params.blocksY) * QUELL_BLOCK_EDGE};
-  run.launch(m_kernel, range, m_workGroup, run.buffer("fitRecords"), run.buffer("guides"),
-             materialsOf(run, m_features), run.buffer("fitted"), params);
+  return params;
 }
 
-std::uint64_t WeightedSum::callerBytes(const Configuration&) const { return 0; }
+std::array<std::size_t, 2> WeightedSum::range(const FrameRun& run) const {
+  const FitParams grid = params(run);
+  const auto itemsPerBlock = QUELL_BLOCK_EDGE / static_cast<std::size_t>(run.configuration.device.lanes);
+  return {static_cast<std::size_t>(grid.blocksX) * itemsPerBlock,
+          static_cast<std::size_t>(grid.blocksY) * QUELL_BLOCK_EDGE};
+}
 
 }  // namespace quell

@@ -4,20 +4,21 @@
 #include <algorithm>
 #include <map>
 #include <quell/devices.hpp>
+#include <tuple>
 
+#include "host/core/buffer_reader.hpp"
 #include "host/core/cl_error.hpp"
-#include "host/core/program_cache.hpp"
-#include "host/core/stage.hpp"
+#include "host/core/pipeline.hpp"
+#include "host/methods/method_table.hpp"
 #include "host/stages/accumulate_noisy.hpp"
-#include "kernels/gram_params.h"
+#include "host/stages/gram_solve.hpp"
+#include "host/stages/gram_sums.hpp"
+#include "host/stages/weighted_sum.hpp"
+#include "host/stress/batch_data.hpp"
 
 namespace quell::stress {
 namespace {
 
-// Work-items that share a block, or a tile, on GPUs; as the stages fit and gram_sums have it.
-constexpr std::size_t kFitGroup = 256;
-constexpr std::size_t kLeastFitGroup = QUELL_MOST_FEATURES;  // one lane for each pivot
-constexpr std::size_t kGramGroup = 128;
 constexpr char kStageName[] = "stress";
 
 using Images = std::array<std::pair<ImageView Frame::*, std::array<Vector3, kBlockPixels> Block::*>, 3>;
@@ -25,94 +26,84 @@ constexpr Images kImages = {{{&Frame::radiance, &Block::radiance},
                              {&Frame::normalWorld, &Block::normalWorld},
                              {&Frame::positionWorld, &Block::positionRelative}}};
 
-/// Blocks one below the other.
-Size imageSize(std::size_t blocks) { return {kBlockEdge, static_cast<int>(blocks) * kBlockEdge}; }
-
-FitParams makeParams(std::size_t blocks, std::uint32_t noiseSeed, double noiseAmplitude) {
-  FitParams params{};
-  params.planes = makePlanes(imageSize(blocks));
-  params.blocksX = 1;
-  params.blocksY = static_cast<int>(blocks);
-  params.noiseSeed = noiseSeed;
-  params.noiseAmplitude = static_cast<float>(noiseAmplitude);
-  return params;
-}
-
-GramParams makeParams(std::size_t blocks, double noiseAmplitude) {
-  GramParams params{};
-  params.planes = makePlanes(imageSize(blocks));
-  params.tilesX = 1;
-  params.tilesY = static_cast<int>(blocks);
-  params.tileStride = params.tilesY;
-  params.noiseVariance = static_cast<float>(noiseAmplitude * noiseAmplitude / 3.0);
-  return params;
-}
-
-/// No history; positions become relative to the camera as host/core/reprojection.cpp arranges it.
-ReprojectionParams makeReprojection(const Batch& batch) {
-  ReprojectionParams params{};
-  float high[3], low[3];
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double camera = batch.cameraWorld[axis] * batch.unit;
-    high[axis] = static_cast<float>(camera);
-    low[axis] = static_cast<float>(camera - static_cast<double>(high[axis]));
-  }
-  params.cameraHigh = {high[0], high[1], high[2], 0.0f};
-  params.cameraLow = {low[0], low[1], low[2], 0.0f};
-  return params;
-}
-
-/// Values of one image in the order of its pixels, packed.
-template <class Value>
-std::vector<Value> packImage(const Batch& batch, std::array<Vector3, kBlockPixels> Block::*image) {
-  const bool isPosition = image == &Block::positionRelative;
-  std::vector<Value> values;
-  values.reserve(batch.blocks.size() * kBlockPixels * 3);
-  for (const Block& block : batch.blocks)
-    for (const Vector3& pixel : block.*image)
-      for (std::size_t c = 0; c < 3; ++c)
-        values.push_back(static_cast<Value>(
-            static_cast<float>(isPosition ? (pixel[c] + batch.cameraWorld[c]) * batch.unit : pixel[c])));
-  return values;
-}
-
-class StressRun : public FrameRun {
+/// The stages with every block a block of the grid: nothing is displaced. `seed` outlives them.
+class AlignedFit : public Fit {
  public:
-  StressRun(const Configuration& c, const Frame& f, const ReprojectionParams& r,
-            const cl::CommandQueue& queue, const std::map<std::string, cl::Buffer>& buffers)
-      : FrameRun(c, f, c.output, r, 0), m_queue(queue), m_buffers(buffers) {}
-
-  const cl::Buffer& buffer(const std::string& name) const override { return m_buffers.at(name); }
+  AlignedFit(const Configuration& configuration, double noiseAmplitude, const std::uint32_t& seed)
+      : Fit(configuration, FitFeatures(), {noiseAmplitude, FeatureStorage::Float, 0, false}), m_seed(&seed) {}
 
  protected:
-  void enqueue(const cl::Kernel& kernel, std::array<std::size_t, 2> global,
-               const cl::NDRange& local) override {
-    const auto padded = [](std::size_t items, std::size_t group) {
-      return (items + group - 1) / group * group;
-    };
-    m_queue.enqueueNDRangeKernel(
-        kernel, cl::NullRange, cl::NDRange(padded(global[0], local[0]), padded(global[1], local[1])), local);
+  FitParams params(const FrameRun& run) const override {
+    FitParams params = Fit::params(run);
+    params.blockOffsetX = params.blockOffsetY = 0;
+    params.blocksX = 1;
+    params.blocksY = run.frame.size.height / kBlockEdge;
+    params.noiseSeed = *m_seed;
+    return params;
   }
 
  private:
-  cl::CommandQueue m_queue;
-  const std::map<std::string, cl::Buffer>& m_buffers;
+  const std::uint32_t* m_seed;
 };
 
-/// A kernel and the number of work-items that share a block.
-struct SharedKernel {
-  cl::Kernel kernel;
-  std::size_t group = 1;
-};
+class AlignedWeightedSum : public WeightedSum {
+ public:
+  explicit AlignedWeightedSum(const Configuration& configuration)
+      : WeightedSum(configuration, FitFeatures(), 0, false) {}
 
-/// The largest group up to `wish` that the device takes.
-SharedKernel buildShared(const KernelBuilder& builder, const std::string& stem, std::size_t wish,
-                         const std::string& groupName, const std::string& options) {
-  for (std::size_t group = std::min(wish, builder.configuration().device.maxWorkGroup);; group /= 2) {
-    SharedKernel shared{builder.build(stem, options + " -D " + groupName + "=" + std::to_string(group)),
-                        group};
-    if (group == 1 || builder.maxWorkGroup(shared.kernel) >= group) return shared;
+ protected:
+  FitParams params(const FrameRun& run) const override {
+    FitParams params = WeightedSum::params(run);
+    params.blockOffsetX = params.blockOffsetY = 0;
+    params.blocksX = 1;
+    params.blocksY = run.frame.size.height / kBlockEdge;
+    return params;
   }
+};
+
+GramParams align(GramParams params, const Size& size) {
+  params.tileOffsetX = params.tileOffsetY = 0;
+  params.tilesX = 1;
+  params.tilesY = params.tileStride = size.height / kBlockEdge;
+  return params;
+}
+
+class AlignedGramSums : public GramSums {
+ public:
+  explicit AlignedGramSums(const Configuration& configuration)
+      : GramSums(configuration, {}, FitFeatures(), 0, false) {}
+
+ protected:
+  GramParams params(const FrameRun& run) const override {
+    return align(GramSums::params(run), run.frame.size);
+  }
+};
+
+class AlignedGramSolve : public GramSolve {
+ public:
+  AlignedGramSolve(const Configuration& configuration, double noiseAmplitude)
+      : GramSolve(configuration, {}, noiseAmplitude, FitFeatures()) {}
+
+ protected:
+  GramParams params(const FrameRun& run) const override {
+    return align(GramSolve::params(run), run.frame.size);
+  }
+};
+
+Schedule makeSchedule(const Configuration& configuration, Solver solver, double noiseAmplitude,
+                      const std::uint32_t& seed) {
+  Schedule table;
+  AccumulateNoisy::Setup accumulation;
+  accumulation.leastWeight = 1.0;
+  add(table, AccumulateNoisy(configuration, accumulation));
+  if (solver == Solver::Gram) {
+    add(table, AlignedGramSums(configuration));
+    add(table, AlignedGramSolve(configuration, noiseAmplitude));
+  } else {
+    add(table, AlignedFit(configuration, noiseAmplitude, seed));
+  }
+  add(table, AlignedWeightedSum(configuration));
+  return table;
 }
 
 }  // namespace
@@ -126,83 +117,46 @@ class BlockFitter::Implementation {
         m_context(m_device),
         m_queue(m_context, m_device),
         m_name(info.name),
-        m_noiseAmplitude(options.noiseAmplitude) {
-    const ProgramCache cache(options.options.cacheDirectory ? *options.options.cacheDirectory
-                                                            : defaultCacheDirectory());
+        m_noiseAmplitude(options.noiseAmplitude),
+        m_cache(options.options.cacheDirectory ? *options.options.cacheDirectory : defaultCacheDirectory()) {
     m_configuration.device = queryDeviceTraits(m_device, options.options.mapping);
     m_configuration.options = options.options;
-    const DeviceKernelBuilder builder(m_context, m_device, cache, m_configuration);
-    buildSolvers(builder);
-    for (const auto format : {ComponentFormat::Float32, ComponentFormat::Float16}) {
-      for (const auto& [image, values] : kImages)
-        m_configuration.frame.*image = packedImage(nullptr, 3, format);
-      accumulator(format).build(builder);
-    }
+    m_configuration.options.keptBuffers = {"irradiance", "guides", "fitRecords", "fitted"};
   }
 
   BatchFit fit(const Batch& batch, std::uint32_t noiseSeed) {
-    allocate(batch.blocks.size());
-    Frame frame = upload(batch);
-    m_configuration.frame = frame;
-    const ReprojectionParams reprojection = makeReprojection(batch);
-    StressRun run(m_configuration, frame, reprojection, m_queue, m_buffers);
-    accumulator(frame.radiance.format).enqueue(run);
-
+    const Frame frame = upload(batch);
+    m_noiseSeed = noiseSeed;
     BatchFit result;
     result.inputs.resize(batch.blocks.size());
-    downloadInputs(result.inputs);
-    enqueueHouseholder(run, noiseSeed);
-    result.householder = synthesize(run);
-    enqueueGram(run);
-    result.gram = synthesize(run);
+    for (const Solver solver : kSolvers) {
+      const Pipeline& pipeline = run(solver, frame, makeReprojection(batch));
+      if (solver == kSolvers[0]) downloadInputs(pipeline, result.inputs);
+      (solver == Solver::Gram ? result.gram : result.householder) =
+          downloadFits(pipeline, batch.blocks.size());
+    }
     return result;
   }
 
   const std::string& name() const { return m_name; }
 
  private:
-  AccumulateNoisy& accumulator(ComponentFormat format) {
-    return format == ComponentFormat::Float16 ? m_accumulateHalf : m_accumulateFloat;
-  }
-
-  void buildSolvers(const KernelBuilder& builder) {
-    const bool wide = m_configuration.device.lanes > 1;
-    const int wish = m_configuration.options.fitGroup;
-    const std::size_t group = wish > 0 ? static_cast<std::size_t>(wish) : wide ? 1 : kFitGroup;
-    const std::string unroll = m_configuration.device.isCpu ? "0" : "1";
-    const std::size_t leastGroup = wide ? 1 : kLeastFitGroup;
-    m_fit = buildShared(builder, "fit",
-                        std::max(leastGroup, std::min(group, kFitGroup / static_cast<std::size_t>(lanes()))),
-                        "FIT_GROUP_SIZE", "-D FIT_STORAGE_HALF=0 -D FIT_UNROLL=" + unroll);
-    m_gramSums = buildShared(builder, "gram_sums", wide ? 1 : kGramGroup, "GRAM_GROUP_SIZE",
-                             "-D GRAM_TILE_EDGE=" + std::to_string(kBlockEdge) + " -D GRAM_MIRROR=1");
-    m_gramSolve = builder.build("gram_solve", "-D GRAM_OVERLAP=0");
-    m_weightedSum = builder.build("weighted_sum", "");
-  }
-
-  int lanes() const { return m_configuration.device.lanes; }
-
-  /// Buffers for this many blocks; kept as long as the number stays the same.
-  void allocate(std::size_t blocks) {
-    if (blocks == m_blocks) return;
-    const auto planeElements = static_cast<std::size_t>(makePlanes(imageSize(blocks)).stride);
-    const std::map<std::string, std::size_t> elements = {{"irradiance", 3 * planeElements},
-                                                         {"irradiance.prev", 3 * planeElements},
-                                                         {"historyLength", planeElements},
-                                                         {"historyLength.prev", planeElements},
-                                                         {"guides", QUELL_GUIDE_PLANES * planeElements},
-                                                         {"guides.prev", QUELL_GUIDE_PLANES * planeElements},
-                                                         {"pixelPrev", 2 * planeElements},
-                                                         {"reprojectionMask", planeElements},
-                                                         {"fitted", 3 * planeElements},
-                                                         {"fitRecords", blocks * QUELL_FIT_RECORD},
-                                                         {"gramTiles", blocks * QUELL_GRAM_PLANES},
-                                                         {"fitStorage", 1}};
-    for (const auto& [name, count] : elements) {
-      m_buffers[name] = cl::Buffer(m_context, CL_MEM_READ_WRITE, count * sizeof(float));
-      m_queue.enqueueFillBuffer(m_buffers[name], 0.0f, 0, count * sizeof(float));
+  /// Runs all stages and waits.
+  const Pipeline& run(Solver solver, const Frame& frame, const ReprojectionParams& reprojection) {
+    const Key key{solver, frame.size.height, frame.radiance.format};
+    const auto found = m_pipelines.find(key);
+    if (found == m_pipelines.end()) {
+      m_configuration.frame = frame;
+      const auto schedule = [&](const Configuration& configuration) {
+        return makeSchedule(configuration, solver, m_noiseAmplitude, m_noiseSeed);
+      };
+      m_pipelines.emplace(key, Pipeline(m_context, m_device, m_queue, m_cache, m_configuration, schedule));
     }
-    m_blocks = blocks;
+    const Pipeline& pipeline = m_pipelines.at(key);
+    FrameCommands commands(m_queue, {}, false, false);
+    pipeline.record(commands, frame, {}, reprojection, 0);
+    m_queue.finish();
+    return pipeline;
   }
 
   template <class Value>
@@ -225,81 +179,56 @@ class BlockFitter::Implementation {
     return frame;
   }
 
-  void enqueueHouseholder(StressRun& run, std::uint32_t noiseSeed) {
-    run.launch(m_fit.kernel, {m_blocks * m_fit.group, 1}, cl::NDRange(m_fit.group, 1),
-               run.buffer("irradiance"), run.buffer("guides"), run.buffer("guides"), run.buffer("fitRecords"),
-               run.buffer("fitStorage"), makeParams(m_blocks, noiseSeed, m_noiseAmplitude));
+  BufferContent download(const Pipeline& pipeline, const char* name) {
+    const int index = pipeline.plan().find(name);
+    return readBufferContent(m_queue, pipeline.buffers().current(index, 0),
+                             pipeline.plan().buffers[static_cast<std::size_t>(index)],
+                             pipeline.configuration().size());
   }
 
-  void enqueueGram(StressRun& run) {
-    const GramParams params = makeParams(m_blocks, m_noiseAmplitude);
-    const auto solvedAtOnce = static_cast<std::size_t>(lanes());
-    run.launch(m_gramSums.kernel, {m_blocks * m_gramSums.group, 1}, cl::NDRange(m_gramSums.group, 1),
-               run.buffer("irradiance"), run.buffer("guides"), run.buffer("guides"), run.buffer("gramTiles"),
-               params);
-    run.launch(m_gramSolve, {(m_blocks + solvedAtOnce - 1) / solvedAtOnce, 1}, cl::NDRange(1, 1),
-               run.buffer("gramTiles"), run.buffer("fitRecords"), params);
-  }
-
-  /// Predicts every pixel from the records that were enqueued last; blocks.
-  std::vector<BlockFit> synthesize(StressRun& run) {
-    run.launch(m_weightedSum, {static_cast<std::size_t>(kBlockEdge / lanes()), m_blocks * kBlockEdge},
-               cl::NDRange(1, 1), run.buffer("fitRecords"), run.buffer("guides"), run.buffer("guides"),
-               run.buffer("fitted"), makeParams(m_blocks, 0, 0.0));
-    std::vector<BlockFit> fits(m_blocks);
-    const std::vector<float> records = download("fitRecords", m_blocks * QUELL_FIT_RECORD);
-    const std::vector<float> fitted = downloadPlanes("fitted", 3);
-    for (std::size_t block = 0; block < m_blocks; ++block) {
-      std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(block * QUELL_FIT_RECORD), QUELL_FIT_RECORD,
-                  fits[block].record.begin());
-      for (std::size_t pixel = 0; pixel < kBlockPixels; ++pixel)
-        for (std::size_t c = 0; c < 3; ++c) fits[block].fitted[pixel][c] = fitted[elementOf(c, block, pixel)];
+  /// Predictions of every pixel, and the records that they come from.
+  std::vector<BlockFit> downloadFits(const Pipeline& pipeline, std::size_t blocks) {
+    std::vector<BlockFit> fits(blocks);
+    const BufferContent records = download(pipeline, "fitRecords");
+    const BufferContent fitted = download(pipeline, "fitted");
+    for (std::size_t block = 0; block < blocks; ++block) {
+      std::copy_n(records.values.begin() + static_cast<std::ptrdiff_t>(block * QUELL_FIT_RECORD),
+                  QUELL_FIT_RECORD, fits[block].record.begin());
+      takePixels(fitted, block, fits[block].fitted);
     }
     return fits;
   }
 
-  void downloadInputs(std::vector<BlockInputs>& inputs) {
-    const std::vector<float> irradiance = downloadPlanes("irradiance", 3);
-    const std::vector<float> guides = downloadPlanes("guides", QUELL_GUIDE_PLANES);
-    for (std::size_t block = 0; block < m_blocks; ++block) {
-      for (std::size_t pixel = 0; pixel < kBlockPixels; ++pixel) {
-        for (std::size_t c = 0; c < 3; ++c)
-          inputs[block].irradiance[pixel][c] = irradiance[elementOf(c, block, pixel)];
-        for (std::size_t plane = 0; plane < QUELL_GUIDE_PLANES; ++plane)
-          inputs[block].guides[pixel][plane] = guides[elementOf(plane, block, pixel)];
-      }
+  void downloadInputs(const Pipeline& pipeline, std::vector<BlockInputs>& inputs) {
+    const BufferContent irradiance = download(pipeline, "irradiance");
+    const BufferContent guides = download(pipeline, "guides");
+    for (std::size_t block = 0; block < inputs.size(); ++block) {
+      takePixels(irradiance, block, inputs[block].irradiance);
+      takePixels(guides, block, inputs[block].guides);
     }
   }
 
-  std::vector<float> download(const std::string& name, std::size_t elements) {
-    std::vector<float> values(elements);
-    m_queue.enqueueReadBuffer(m_buffers.at(name), CL_TRUE, 0, elements * sizeof(float), values.data());
-    return values;
+  /// The values of one block, pixel by pixel. Blocks lie one below the other: their pixels follow each other.
+  template <std::size_t Planes>
+  static void takePixels(const BufferContent& content, std::size_t block,
+                         std::array<std::array<float, Planes>, kBlockPixels>& pixels) {
+    const std::size_t planePixels = content.values.size() / static_cast<std::size_t>(content.planes);
+    for (std::size_t pixel = 0; pixel < kBlockPixels; ++pixel)
+      for (std::size_t plane = 0; plane < Planes; ++plane)
+        pixels[pixel][plane] = content.values[plane * planePixels + block * kBlockPixels + pixel];
   }
 
-  std::vector<float> downloadPlanes(const std::string& name, std::size_t planes) {
-    return download(name, planes * static_cast<std::size_t>(makePlanes(imageSize(m_blocks)).stride));
-  }
-
-  std::size_t elementOf(std::size_t plane, std::size_t block, std::size_t pixel) const {
-    const PlaneParams planes = makePlanes(imageSize(m_blocks));
-    const std::size_t row = block * kBlockEdge + pixel / kBlockEdge + QUELL_PLANE_MARGIN_ROWS;
-    return plane * static_cast<std::size_t>(planes.stride) + row * static_cast<std::size_t>(planes.pitch) +
-           QUELL_PLANE_MARGIN + pixel % kBlockEdge;
-  }
+  using Key = std::tuple<Solver, int, ComponentFormat>;
 
   cl::Device m_device;
   cl::Context m_context;
   cl::CommandQueue m_queue;
   std::string m_name;
   double m_noiseAmplitude;
+  std::uint32_t m_noiseSeed = 0;
+  ProgramCache m_cache;
   Configuration m_configuration;
-  AccumulateNoisy m_accumulateFloat{AccumulateNoisy::Setup{1.0}};
-  AccumulateNoisy m_accumulateHalf{AccumulateNoisy::Setup{1.0}};
-  SharedKernel m_fit, m_gramSums;
-  cl::Kernel m_gramSolve, m_weightedSum;
-  std::size_t m_blocks = 0;
-  std::map<std::string, cl::Buffer> m_buffers;
+  std::map<Key, Pipeline> m_pipelines;  // of all sizes and formats so far
   std::vector<cl::Buffer> m_images;
 };
 

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "host/stress/block.hpp"
-#include "kernels/accumulate_noisy_params.h"
+#include "kernels/common/guides.h"
+#include "kernels/fit_params.h"
 
 namespace quell::stress {
 
@@ -17,10 +18,12 @@ enum class Solver { Householder, Gram };
 constexpr Solver kSolvers[] = {Solver::Householder, Solver::Gram};
 std::string solverName(Solver solver);
 
+constexpr int kGuidePlanes = QUELL_GUIDE_PLANES_OF(1);
+
 /// One block as the solvers see it, behind the checks and clamps of accumulate_noisy.
 struct BlockInputs {
   std::array<std::array<float, 3>, kBlockPixels> irradiance{};
-  std::array<std::array<float, QUELL_GUIDE_PLANES>, kBlockPixels> guides{};
+  std::array<std::array<float, kGuidePlanes>, kBlockPixels> guides{};
 };
 
 /// What a solver makes of one block.

@@ -1,5 +1,6 @@
 #include "host/stress/families.hpp"
 
+#include "host/core/fnv1a.hpp"
 #include "host/stress/color_blocks.hpp"
 #include "host/stress/feature_blocks.hpp"
 #include "host/stress/geometry.hpp"
@@ -20,13 +21,6 @@ void offsetAndScale(Batch& batch, Random& random) {
 }
 
 void storeAsHalf(Batch& batch, Random&) { batch.halfInputs = true; }
-
-// FNV-1a: families differ in their random numbers, wherever they stand in the table.
-std::uint64_t hash(const std::string& name) {
-  std::uint64_t value = 0xcbf29ce484222325ull;
-  for (const char c : name) value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-  return value;
-}
 
 }  // namespace
 
@@ -67,7 +61,9 @@ const std::vector<Family>& families() {
 }
 
 Batch makeBatch(const Family& family, std::uint32_t seed, std::uint32_t batchIndex, int count) {
-  Random random(hash(family.name) ^ (static_cast<std::uint64_t>(seed) << 32) ^ batchIndex);
+  // Families differ in their random numbers, wherever they stand in the table.
+  const std::uint64_t name = fnv1a(family.name.data(), family.name.size());
+  Random random(name ^ (static_cast<std::uint64_t>(seed) << 32) ^ batchIndex);
   Batch batch;
   if (family.prepare != nullptr) family.prepare(batch, random);
   batch.blocks.resize(static_cast<std::size_t>(count));

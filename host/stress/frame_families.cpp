@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "host/io/analytic_sequence.hpp"
+#include "host/analytic/sequence.hpp"
 
 namespace quell::stress {
 namespace {

@@ -13,21 +13,12 @@
 namespace quell::stress {
 namespace {
 
+constexpr int kOutputChannels = 3;
 constexpr std::size_t kPixels = std::size_t{kFrameWidth} * std::size_t{kFrameHeight};
 
 struct Picture {
   std::vector<float> linear, display;
 };
-
-struct InputImage {
-  const io::Image io::FrameData::*source;
-  ImageView Frame::*view;
-};
-constexpr InputImage kInputs[] = {{&io::FrameData::radiance, &Frame::radiance},
-                                  {&io::FrameData::normalWorld, &Frame::normalWorld},
-                                  {&io::FrameData::positionWorld, &Frame::positionWorld},
-                                  {&io::FrameData::albedo, &Frame::albedo},
-                                  {&io::FrameData::emission, &Frame::emission}};
 
 bool within(const std::vector<float>& values, float most) {
   return std::all_of(values.begin(), values.end(), [most](float v) { return v >= 0.0f && v <= most; });
@@ -66,10 +57,11 @@ double meanDifference(const std::vector<float>& clean, const std::vector<float>&
 
 }  // namespace
 
-/// A denoiser with buffers for frames of three-channel images, stored as floats or halves.
+/// A denoiser with buffers for frames with the images of an example, stored as floats or halves.
 class FrameSuite::Runner {
  public:
-  Runner(const std::string& device, const std::string& method, const Options& options, bool halfInputs)
+  Runner(const std::string& device, const std::string& method, const Options& options, bool halfInputs,
+         const io::FrameData& example)
       : m_device(chooseDevice(device).device, true),
         m_context(m_device),
         m_queue(m_context, m_device),
@@ -77,8 +69,11 @@ class FrameSuite::Runner {
         m_halfInputs(halfInputs) {
     m_frame.size = {kFrameWidth, kFrameHeight};
     const auto format = halfInputs ? ComponentFormat::Float16 : ComponentFormat::Float32;
-    for (const InputImage& input : kInputs) m_frame.*input.view = makeImage(format);
-    m_output = {makeImage(ComponentFormat::Float32), makeImage(ComponentFormat::Float32)};
+    forEachInput(example, m_frame, [&](const ImageFacts&, const io::Image& image, ImageView& view) {
+      if (!image.empty()) view = makeImage(image.channels, format);
+    });
+    m_output = {makeImage(kOutputChannels, ComponentFormat::Float32),
+                makeImage(kOutputChannels, ComponentFormat::Float32)};
     m_denoiser.prepare(m_frame, m_output);
   }
 
@@ -86,15 +81,18 @@ class FrameSuite::Runner {
 
   Picture denoise(const io::FrameData& data) {
     m_frame.camera = data.camera;
-    for (const InputImage& input : kInputs) upload(m_frame.*input.view, (data.*input.source).pixels);
+    forEachInput(data, m_frame, [&](const ImageFacts&, const io::Image& image, const ImageView& view) {
+      if (view.present()) upload(view, image.pixels);
+    });
     m_denoiser.denoise(m_frame, m_output).wait();
     return {download(m_output.linear), download(m_output.display)};
   }
 
  private:
-  ImageView makeImage(ComponentFormat format) {
-    m_buffers.emplace_back(m_context, CL_MEM_READ_WRITE, 3 * kPixels * sizeof(float));
-    return packedImage(m_buffers.back()(), 3, format);
+  ImageView makeImage(int channels, ComponentFormat format) {
+    m_buffers.emplace_back(m_context, CL_MEM_READ_WRITE,
+                           static_cast<std::size_t>(channels) * kPixels * sizeof(float));
+    return packedImage(m_buffers.back()(), channels, format);
   }
 
   void upload(const ImageView& view, const std::vector<float>& values) {
@@ -109,7 +107,7 @@ class FrameSuite::Runner {
   }
 
   std::vector<float> download(const ImageView& view) {
-    std::vector<float> values(3 * kPixels);
+    std::vector<float> values(kOutputChannels * kPixels);
     m_queue.enqueueReadBuffer(cl::Buffer(view.memory, true), CL_TRUE, 0, values.size() * sizeof(float),
                               values.data());
     return values;
@@ -131,17 +129,18 @@ FrameSuite::FrameSuite(std::string device, const Options& options)
     : m_device(std::move(device)), m_options(options) {}
 FrameSuite::~FrameSuite() = default;
 
-FrameSuite::Runner& FrameSuite::runner(const std::string& method, bool halfInputs, bool faulty) {
+FrameSuite::Runner& FrameSuite::runner(const std::string& method, bool halfInputs, bool faulty,
+                                       const io::FrameData& example) {
   auto& runner = m_runners[method + (halfInputs ? " half" : "") + (faulty ? " faulty" : "")];
-  if (!runner) runner = std::make_unique<Runner>(m_device, method, m_options, halfInputs);
+  if (!runner) runner = std::make_unique<Runner>(m_device, method, m_options, halfInputs, example);
   runner->resetHistory();
   return *runner;
 }
 
 FrameFigures FrameSuite::run(const FrameFamily& family, const FrameRuns& runs, const std::string& method) {
   return withClErrors("stress", [&] {
-    Runner& cleanRunner = runner(method, family.halfInputs, false);
-    Runner& faultyRunner = runner(method, family.halfInputs, true);
+    Runner& cleanRunner = runner(method, family.halfInputs, false, runs.clean.front());
+    Runner& faultyRunner = runner(method, family.halfInputs, true, runs.clean.front());
     FrameFigures figures;
     for (std::size_t i = 0; i < runs.clean.size(); ++i) {
       const Picture clean = cleanRunner.denoise(runs.clean[i]);

@@ -43,7 +43,7 @@ class FrameSuite {
 
  private:
   class Runner;
-  Runner& runner(const std::string& method, bool halfInputs, bool faulty);
+  Runner& runner(const std::string& method, bool halfInputs, bool faulty, const io::FrameData& example);
 
   std::string m_device;
   Options m_options;

@@ -1,9 +1,9 @@
 #include "host/stress/oracle_fit.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "host/stress/least_squares.hpp"
 
 namespace quell::stress {
 namespace {
@@ -25,7 +25,7 @@ constexpr double kRounding = 6e-8;
 using FeatureColumn = Eigen::Matrix<double, QUELL_FEATURES, 1>;
 using Indices = std::vector<Eigen::Index>;
 
-FeatureRow featuresOf(const std::array<float, QUELL_GUIDE_PLANES>& guides, const BlockFit& scaling) {
+FeatureRow featuresOf(const std::array<float, kGuidePlanes>& guides, const BlockFit& scaling) {
   FeatureRow row;
   row[0] = 1.0;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -40,7 +40,7 @@ FeatureRow featuresOf(const std::array<float, QUELL_GUIDE_PLANES>& guides, const
   return row;
 }
 
-bool isSurface(const std::array<float, QUELL_GUIDE_PLANES>& guides) {
+bool isSurface(const std::array<float, kGuidePlanes>& guides) {
   return guides[QUELL_GUIDE_NORMAL] != 0.0f || guides[QUELL_GUIDE_NORMAL + 1] != 0.0f ||
          guides[QUELL_GUIDE_NORMAL + 2] != 0.0f;
 }
@@ -136,16 +136,11 @@ OptimalFit solveOptimally(const LeastSquares& problem) {
     if (length > kRounding * size) inverseLength[j] = 1.0 / length;
   }
   centred *= inverseLength.asDiagonal();
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr;
-  qr.setThreshold(kOracleRankTolerance);
-  qr.compute(centred);
-  const Eigen::MatrixXd solution = qr.solve(colors);
-  fit.residualEnergy = (colors - centred * solution).colwise().squaredNorm().transpose().array();
-  fit.coefficients.bottomRows<kVaried>() = inverseLength.asDiagonal() * solution;
+  const LeastSquaresSolution solution = leastSquares(centred, colors, kOracleRankTolerance);
+  fit.residualEnergy = (colors - centred * solution.coefficients).colwise().squaredNorm().transpose().array();
+  fit.coefficients.bottomRows<kVaried>() = inverseLength.asDiagonal() * solution.coefficients;
   fit.coefficients.row(0) = colorMeans - means.rightCols<kVaried>() * fit.coefficients.bottomRows<kVaried>();
-  const Eigen::ArrayXd diagonal = qr.matrixQTZ().diagonal().array().abs();
-  fit.condition = qr.rank() < kVaried ? std::numeric_limits<double>::infinity()
-                                      : diagonal.maxCoeff() / diagonal.minCoeff();
+  fit.condition = solution.condition;
   return fit;
 }
 

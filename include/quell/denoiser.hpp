@@ -42,6 +42,10 @@ struct Options {
   /// Where compiled kernels are kept. Absent: $XDG_CACHE_HOME/quell or ~/.cache/quell; empty string: nowhere; on
   /// PoCL every denoiser then compiles its kernels from source, since to take their binaries compiles them twice.
   std::optional<std::string> cacheDirectory;
+  /// Intermediate buffers of the method that keep their memory to the end of the frame, for Denoiser::readBuffer(); by
+  /// name, as Denoiser::bufferNames() lists them. Others may share memory with later ones. prepare() throws
+  /// Error(InvalidArgument) for a name that is none of them.
+  std::vector<std::string> keptBuffers = {};
 };
 
 /// Owns one reference to an OpenCL event.
@@ -79,7 +83,17 @@ struct MemoryUse {
   std::vector<Buffer> buffers;
 };
 
-/// What the latest frame left out because it is background (method quell with its setting `skip`).
+/// An intermediate buffer as the latest frame has left it: where a stage leaves out background or has no history, that
+/// may be older values. Bytes, halves and integers are converted to floats; integers beyond 2^24 are rounded.
+struct BufferContent {
+  std::string name;
+  int width = 0;              ///< pixels; of buffers that are not images the number of elements
+  int height = 0;             ///< pixels; of buffers that are not images 1
+  int planes = 0;             ///< of buffers that are not images 1
+  std::vector<float> values;  ///< plane by plane, row by row
+};
+
+/// What the latest frame left out because it is background (setting `skip`).
 struct BackgroundMap {
   int itemWidth = 0;                     ///< pixels of a row that one work-item takes, 1 or 16
   int columns = 0;                       ///< work-items across
@@ -132,6 +146,13 @@ class Denoiser {
   /// What the latest frame left out; empty before the first frame after prepare() or resetHistory(), and for methods and
   /// settings that leave out nothing. Blocks until that frame is done. Throws Error(DeviceError).
   BackgroundMap backgroundMap() const;
+
+  /// The method's intermediate buffers, in the order in which a frame touches them; empty before prepare().
+  std::vector<std::string> bufferNames() const;
+  /// One of them as the latest frame has left it. Blocks until that frame is done. Throws Error(InvalidArgument) for a name
+  /// that is none of bufferNames() or that is not among Options::keptBuffers (histories always are), Error(NotPrepared)
+  /// before the first frame after prepare() or resetHistory(), Error(DeviceError).
+  BufferContent readBuffer(const std::string& name) const;
 
   /// Device memory held since prepare(). It does not include the caller's images.
   MemoryUse memoryUse() const;

@@ -2,10 +2,17 @@
  * the contract table of the documentation are made from these lists, so that a new image is a new last line here (the
  * C API's structs grow at their end) and whatever makes use of it.
  *
- * Columns: name of the member; the same for macros; fewest and most channels; what its components are (VALUES, floats
- * or halves that are computed with, or IDENTIFIERS, which are compared bit by bit and may be 32-bit unsigned);
- * whether it must be there (REQUIRED, OPTIONAL); stem of its files (see data/README.md; "" where it has none) and pass
- * of Blender's Cycles ("" where it has none); space and unit; range; what a value that is not finite means.
+ * Columns:
+ *   name, NAME    of the member; the same for macros
+ *   least, most   channels
+ *   kind          VALUES, floats or halves that are computed with, or IDENTIFIERS, which are compared bit by bit and
+ *                 may be 32-bit unsigned
+ *   presence      REQUIRED or OPTIONAL
+ *   files         (stem, channels, samples, pass, channels of the pass): files of its own (data/README.md), with
+ *                 samples stored as HALF, FLOAT or UINT (32 bits); passes of Blender's Cycles, of which those that
+ *                 are there are added up. "" where there is none. Tools hold as many channels in memory.
+ *   texts         (absent, unit, range, broken): what counts without it ("" where it is required), space and unit,
+ *                 range, what a value that is not finite means
  *
  * In the common subset of OpenCL C, C99 and C++. */
 #ifndef QUELL_FRAME_IMAGES_H
@@ -14,37 +21,80 @@
 /* clang-format off */
 /* What the caller hands over for one frame. */
 #define QUELL_FRAME_IMAGES(IMAGE)                                                                                      \
-  IMAGE(radiance, RADIANCE, 1, 4, VALUES, REQUIRED, "color", "Combined",                                               \
-        "linear, emission included", "clamped to 0 .. 65504", "missing sample")                                        \
-  IMAGE(glossyRadiance, GLOSSYRADIANCE, 1, 4, VALUES, OPTIONAL, "glossy_radiance", "",                                 \
-        "linear, of the glossy lobe", "clamped to 0 .. 65504", "missing sample")                                       \
-  IMAGE(normalWorld, NORMALWORLD, 3, 4, VALUES, REQUIRED, "shading_normal", "Normal",                                  \
-        "world, unit length", "0 marks background", "pixel passes through")                                            \
-  IMAGE(positionWorld, POSITIONWORLD, 3, 4, VALUES, OPTIONAL, "world_position", "Position",                            \
-        "world, scene units", "below 1e18 from the camera", "pixel passes through")                                    \
-  IMAGE(viewDepth, VIEWDEPTH, 1, 1, VALUES, OPTIONAL, "", "Depth",                                                     \
-        "along the view axis, scene units", "positive in front", "pixel passes through")                               \
-  IMAGE(albedo, ALBEDO, 1, 4, VALUES, OPTIONAL, "albedo", "DiffCol",                                                   \
-        "reflectance", "0 .. 1", "counts as 0: passes through")                                                        \
-  IMAGE(glossColor, GLOSSCOLOR, 1, 4, VALUES, OPTIONAL, "gloss_color", "GlossCol",                                     \
-        "reflectance", "0 .. 1", "counts as 0: passes through")                                                        \
-  IMAGE(roughness, ROUGHNESS, 1, 1, VALUES, OPTIONAL, "roughness", "roughness",                                        \
-        "perceptual: alpha of GGX is its square", "0 .. 1", "counts as 1 or 0")                                        \
-  IMAGE(f0, F0, 1, 4, VALUES, OPTIONAL, "f0", "",                                                                      \
-        "reflectance at normal incidence", "0 .. 1", "counts as 0")                                                    \
-  IMAGE(emission, EMISSION, 1, 4, VALUES, OPTIONAL, "emission", "",                                                    \
-        "linear", "0 .. 65504", "missing sample")                                                                      \
-  IMAGE(motion, MOTION, 2, 4, VALUES, OPTIONAL, "motion", "Vector",                                                    \
-        "pixels, x right, y down: previous minus current pixel", "any", "no history for the pixel")                    \
-  IMAGE(objectId, OBJECTID, 1, 1, IDENTIFIERS, OPTIONAL, "object_id", "IndexOB",                                       \
-        "any number, compared bit by bit", "any", "a number like others")
+  /* Linear radiance with emission included, 1, 3 or 4 channels (one is spread to RGB, a fourth ignored), one sample
+     per pixel or more. Radiance minus emission is clamped to [0, 65504]. */                                           \
+  IMAGE(radiance, RADIANCE, 1, 4, VALUES, REQUIRED,                                                                    \
+        ("color", "RGB", HALF, "Combined", "RGB"),                                                                     \
+        ("", "linear, emission included", "clamped to 0 .. 65504", "missing sample"))                                  \
+  /* Glossy radiance, layouts and values as radiance. With it, two signals are filtered side by side: radiance is then
+     the diffuse part alone (with emission), and the output is the sum of both. */                                     \
+  IMAGE(glossyRadiance, GLOSSYRADIANCE, 1, 4, VALUES, OPTIONAL,                                                        \
+        ("glossy_radiance", "RGB", HALF, "GlossDir+GlossInd", "RGB"),                                                  \
+        ("one signal", "linear, of the glossy lobe", "clamped to 0 .. 65504", "missing sample"))                       \
+  /* Shading normal, unit length (0.5 to 2 is tolerated). A zero normal marks background, which passes through
+     unfiltered. */                                                                                                    \
+  IMAGE(normalWorld, NORMALWORLD, 3, 4, VALUES, REQUIRED,                                                              \
+        ("shading_normal", "RGB", HALF, "Normal", "XYZ"),                                                              \
+        ("", "world, unit length", "0 marks background", "pixel passes through"))                                      \
+  /* Half is accepted only while the camera is within kHalfPositionRange of the world origin on every axis. Either this
+     or viewDepth. */                                                                                                  \
+  IMAGE(positionWorld, POSITIONWORLD, 3, 4, VALUES, OPTIONAL,                                                          \
+        ("world_position", "RGB", FLOAT, "Position", "XYZ"),                                                           \
+        ("`viewDepth`", "world, scene units", "below 1e18 from the camera", "pixel passes through"))                   \
+  /* Depth along the view axis; perspective cameras only. */                                                           \
+  IMAGE(viewDepth, VIEWDEPTH, 1, 1, VALUES, OPTIONAL,                                                                  \
+        ("", "Y", FLOAT, "Depth", "Z"),                                                                                \
+        ("`positionWorld`", "along the view axis, scene units", "positive in front", "pixel passes through"))          \
+  /* Diffuse albedo. */                                                                                                \
+  IMAGE(albedo, ALBEDO, 1, 4, VALUES, OPTIONAL,                                                                        \
+        ("albedo", "RGB", HALF, "DiffCol", "RGB"),                                                                     \
+        ("1", "reflectance", "0 .. 1", "counts as 0: passes through"))                                                 \
+  /* Tint of the glossy lobe. With one signal irradiance is (radiance - emission) / (albedo + gloss colour), with two
+     (radiance - emission) / albedo and glossyRadiance / gloss colour; a factor that is not given is 1. */             \
+  IMAGE(glossColor, GLOSSCOLOR, 1, 4, VALUES, OPTIONAL,                                                                \
+        ("gloss_color", "RGB", HALF, "GlossCol", "RGB"),                                                               \
+        ("1", "reflectance", "0 .. 1", "counts as 0: passes through"))                                                 \
+  /* Roughness of the glossy lobe, 0: mirror. Read by edge stops (setting `roughnessSigma`), by features that are made
+     of it (setting `features` of bmfr) and where light is divided by F_beta. */                                       \
+  IMAGE(roughness, ROUGHNESS, 1, 1, VALUES, OPTIONAL,                                                                  \
+        ("roughness", "Y", HALF, "roughness", "X"),                                                                    \
+        ("not looked at", "perceptual: alpha of GGX is its square", "0 .. 1", "counts as 1 or 0"))                     \
+  /* Fresnel reflectance at normal incidence. Read where light is divided by F_beta (setting `demodulate`). */         \
+  IMAGE(f0, F0, 1, 4, VALUES, OPTIONAL,                                                                                \
+        ("f0", "RGB", HALF, "", "RGB"),                                                                                \
+        ("1", "reflectance at normal incidence", "0 .. 1", "counts as 0"))                                             \
+  /* Emitted radiance and visible sky, added back unfiltered. */                                                       \
+  IMAGE(emission, EMISSION, 1, 4, VALUES, OPTIONAL,                                                                    \
+        ("emission", "RGB", HALF, "Emit+Env", "RGB"),                                                                  \
+        ("0", "linear", "0 .. 65504", "missing sample"))                                                               \
+  /* Motion vectors: where this pixel's surface point was in the frame before, minus this pixel, without jitter (0 for
+     a scene and a camera at rest); the first two channels are read. Where given they win over the matrices, for the
+     background, too, and objects that move keep their history. A vector that leads out of the frame before: no history
+     for this pixel. */                                                                                                \
+  IMAGE(motion, MOTION, 2, 4, VALUES, OPTIONAL,                                                                        \
+        ("motion", "RG", HALF, "Vector", "XY"),                                                                        \
+        ("the matrices", "pixels, x right, y down: previous minus current pixel", "any", "no history for the pixel"))  \
+  /* Which object a pixel shows: 32-bit unsigned, or floats (whole numbers are exact up to 2^24, halves up to 2^11).
+     History of another object is discarded. */                                                                        \
+  IMAGE(objectId, OBJECTID, 1, 1, IDENTIFIERS, OPTIONAL,                                                               \
+        ("object_id", "Y", UINT, "IndexOB", "X"),                                                                      \
+        ("one object", "any number, 32-bit unsigned too, compared bit by bit", "any", "a number like others"))         \
+  /* How far the ray of the glossy signal went from the surface to what it hit; what is not above 0 counts as not known.
+     Carried, but not read yet. */                                                                                     \
+  IMAGE(hitDistance, HITDISTANCE, 1, 1, VALUES, OPTIONAL,                                                              \
+        ("hit_distance", "Y", HALF, "", "X"),                                                                          \
+        ("not looked at", "scene units, of the glossy ray", "above 0", "counts as not known"))
 
 /* What the denoiser hands back; at least one of them. */
 #define QUELL_OUTPUT_IMAGES(IMAGE)                                                                                     \
-  IMAGE(linear, LINEAR, 3, 4, VALUES, OPTIONAL, "denoised", "",                                                        \
-        "linear radiance", "0 .. 65504, always finite", "never")                                                       \
-  IMAGE(display, DISPLAY, 3, 4, VALUES, OPTIONAL, "display", "",                                                       \
-        "gamma 2.2, after TAA if the method has it", "0 .. 1, always finite", "never")
+  /* Before tone map and TAA. */                                                                                       \
+  IMAGE(linear, LINEAR, 3, 4, VALUES, OPTIONAL,                                                                        \
+        ("", "RGB", HALF, "", "RGB"),                                                                                  \
+        ("`display`", "linear radiance", "0 .. 65504, always finite", "never"))                                        \
+  /* Encoded for display. */                                                                                           \
+  IMAGE(display, DISPLAY, 3, 4, VALUES, OPTIONAL,                                                                      \
+        ("", "RGB", HALF, "", "RGB"),                                                                                  \
+        ("`linear`", "gamma 2.2, after TAA if the method has it", "0 .. 1, always finite", "never"))
 /* clang-format on */
 
 #endif

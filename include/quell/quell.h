@@ -14,6 +14,7 @@
 #define QUELL_QUELL_H
 
 #include <CL/cl.h>
+#include <quell/frame_images.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -188,33 +189,23 @@ typedef struct quell_camera {
 } quell_camera;
 
 /* Inputs of one frame, read until the event of quellDenoise has completed. What the images hold (units, ranges, NaN)
- * is said at quell::Frame in frame.hpp. */
+ * is said in frame_images.h. */
+#define QUELL_VIEW(name, NAME, least, most, kind, presence, files, texts) quell_image_view name;
 typedef struct quell_frame {
   size_t structSize;
   int width; /* pixels */
   int height;
   quell_camera camera;
   int demodulated; /* 1: light is divided by albedo and gloss colour already */
-  quell_image_view radiance;
-  quell_image_view glossyRadiance; /* optional: a second signal */
-  quell_image_view normalWorld;
-  quell_image_view positionWorld; /* this or viewDepth */
-  quell_image_view viewDepth;
-  quell_image_view albedo; /* this and all below are optional */
-  quell_image_view glossColor;
-  quell_image_view roughness;
-  quell_image_view f0;
-  quell_image_view emission;
-  quell_image_view motion;   /* previous pixel minus this pixel, pixels, x right, y down, without jitter */
-  quell_image_view objectId; /* any number; compared bit by bit */
+  QUELL_FRAME_IMAGES(QUELL_VIEW)
 } quell_frame;
 
 /* Outputs of one frame, either or both. */
 typedef struct quell_output {
   size_t structSize;
-  quell_image_view linear;  /* linear radiance before tone map and TAA, 0 to 65504 */
-  quell_image_view display; /* display-encoded (gamma 2.2) after TAA, 0 to 1 */
+  QUELL_OUTPUT_IMAGES(QUELL_VIEW)
 } quell_output;
+#undef QUELL_VIEW
 
 /* A packed image at the start of a buffer; `memory` may be NULL for quellPrepare. */
 static inline quell_image_view quellPackedImage(cl_mem memory, int channels, quell_component_format format) {
@@ -250,6 +241,7 @@ typedef struct quell_options {
   int workGroup[2];           /* of per-pixel kernels, work-items in x and y; 0: chosen */
   int fitGroup;               /* work-items per block of the fit, a power of two up to 256; 0: chosen */
   const char* cacheDirectory; /* of compiled kernels; NULL: the user's, "": none, see quell::Options */
+  const char* keptBuffers;    /* intermediate buffers for quellReadBuffer, separated by commas; may be NULL */
 } quell_options;
 
 /* Denoises a sequence of frames on one queue. */
@@ -276,6 +268,22 @@ quell_status quellDenoise(quell_denoiser* denoiser, const quell_frame* frame, co
 
 /* Forgets all earlier frames, as a cut needs it. Does not block. */
 quell_status quellResetHistory(quell_denoiser* denoiser);
+
+/* An intermediate buffer, for debugging. */
+typedef struct quell_buffer_content {
+  size_t structSize;
+  int width;  /* pixels; of buffers that are not images the number of elements */
+  int height; /* pixels; of buffers that are not images 1 */
+  int planes;
+} quell_buffer_content;
+
+/* One of the method's intermediate buffers as the latest frame has left it; blocks until that frame is done. `values`
+ * receives width * height * planes numbers, plane by plane, row by row; NULL with capacity 0 to learn the size alone.
+ * QUELL_INVALID_ARGUMENT for a smaller capacity, for a name that the method does not have (the message lists those that
+ * it has) and for one that is neither among quell_options.keptBuffers nor a history; QUELL_NOT_PREPARED before the first
+ * frame. */
+quell_status quellReadBuffer(const quell_denoiser* denoiser, const char* name, float* values, size_t capacity,
+                             quell_buffer_content* content);
 
 /* A copy of the settings that the denoiser was made with; the caller destroys it. */
 quell_status quellGetDenoiserSettings(const quell_denoiser* denoiser, quell_settings** settings);

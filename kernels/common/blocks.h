@@ -3,6 +3,7 @@
 #define QUELL_COMMON_BLOCKS_H
 
 #include "common/planes.h"
+#include "common/surfaces.h"
 #include "fit_params.h"
 
 // Larger than any position; the identity of the minimum.
@@ -14,6 +15,24 @@ QUELL_INLINE int mirror(int i, int size) {
   int folded = i % (2 * size);
   folded = folded < 0 ? folded + 2 * size : folded;
   return folded < size ? folded : 2 * size - 1 - folded;
+}
+
+// First and last pixel of an image that `edge` pixels from `first` on show, mirrored at the borders.
+QUELL_INLINE int firstMirrored(int first, int edge, int size) {
+  const int last = first + edge - 1;
+  return max(last >= size ? min(first, 2 * size - 1 - last) : first, 0);
+}
+QUELL_INLINE int lastMirrored(int first, int edge, int size) {
+  const int last = first + edge - 1;
+  return min(first < 0 ? max(last, -1 - first) : last, size - 1);
+}
+
+// Whether a block shows a surface, also in what is mirrored into it.
+QUELL_INLINE int anySurfaceInBlock(__global const uchar* surfaces, PlaneParams planes, int x, int y,
+                                   int edge) {
+  return anySurface(surfaces, planes, firstMirrored(x, edge, planes.width),
+                    firstMirrored(y, edge, planes.height), lastMirrored(x, edge, planes.width),
+                    lastMirrored(y, edge, planes.height));
 }
 
 QUELL_INLINE GatherPlan planBlockRow(PlaneParams planes, int row, int blockX, int blockY) {

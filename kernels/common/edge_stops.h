@@ -46,7 +46,7 @@ QUELL_INLINE FilterCentre loadCentre(__global const float* guides, __global cons
   const floatL slope =
       maxLanes(absLanes(slopeX), absLanes(slopeY)) + QUELL_LEAST_SLOPE * absLanes(centre.depth);
   centre.inverseDepth = stops.inverseDepth / slope;
-#if ROUGHNESS_FORMAT
+#if ROUGHNESS_STOP
   centre.roughness = loadLanes(roughness + index);
   centre.inverseRoughness =
       stops.inverseRoughness / maxLanes(centre.roughness, (floatL)(QUELL_LEAST_ROUGHNESS));
@@ -66,7 +66,7 @@ QUELL_INLINE floatL surfacePenalty(FilterCentre centre, EdgeStopParams stops, fl
          absLanes(depth - centre.depth) * (centre.inverseDepth * inverseDistance);
 }
 
-#if ROUGHNESS_FORMAT
+#if ROUGHNESS_STOP
 QUELL_INLINE floatL roughnessPenalty(FilterCentre centre, floatL roughness) {
   return absLanes(roughness - centre.roughness) * centre.inverseRoughness;
 }

@@ -6,8 +6,8 @@
 #ifndef QUELL_COMMON_FIT_FEATURES_H
 #define QUELL_COMMON_FIT_FEATURES_H
 
-#include "accumulate_noisy_params.h"
 #include "common/blocks.h"
+#include "common/guides.h"
 #include "common/planes.h"
 #include "fit_params.h"
 

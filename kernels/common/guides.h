@@ -6,12 +6,7 @@
 #define QUELL_GUIDE_POSITION 0  // camera-relative position, 3 planes
 #define QUELL_GUIDE_NORMAL 3    // world-space normal, 3 planes; 0 where the pixel cannot be filtered
 #define QUELL_GUIDE_WEIGHT 6    // weight as a filter tap, 0 to 1, per signal; 0 where there is no sample
-#define QUELL_GUIDE_PLANES 7    // of one signal
-
-// Which signal a kernel works on that fits one at a time.
-#ifndef QUELL_SIGNAL
-#define QUELL_SIGNAL 0
-#endif
+#define QUELL_GUIDE_PLANES_OF(signals) (QUELL_GUIDE_WEIGHT + (signals))
 
 // Planes of the moments of luminance, per signal.
 #define QUELL_MOMENT_FIRST 0

@@ -19,16 +19,13 @@
 #include "common/motion_params.h"
 #include "common/surface_images.h"
 
-#define MOTION_ARGUMENTS __global const uchar *motionData, __global const uchar *objectIdData
-
 // Pixel index in the frame before; see placeInFrame().
-QUELL_INLINE intL findPrevious(ReprojectionParams reprojection, __global const uchar* motionData,
-                               MotionParams params, PlaneParams planes, Surface surface, int x, int y,
-                               int lanes, floatL* xPrev, floatL* yPrev) {
+QUELL_INLINE intL findPrevious(FrameImages images, ReprojectionParams reprojection, PlaneParams planes,
+                               Surface surface, int x, int y, int lanes, floatL* xPrev, floatL* yPrev) {
   const floatL column = TO_FLOAT(x + LANE_INDEX);
   const floatL row = (floatL)((float)y);
 #if MOTION_FORMAT
-  const float3L motion = LOAD_PIXELS(MOTION, motionData, params.motion, x, y, lanes);
+  const float3L motion = LOAD_IMAGE(motion, MOTION, x, y, lanes);
   return followMotion(reprojection, column, row, motion, planes.width, planes.height, xPrev, yPrev);
 #else
   // Background moves like a point at infinity.
@@ -38,10 +35,9 @@ QUELL_INLINE intL findPrevious(ReprojectionParams reprojection, __global const u
 }
 
 // The object of each pixel, bit by bit; 0 without object ids and in lanes from `lanes` on.
-QUELL_INLINE intL loadObjectId(__global const uchar* objectIdData, MotionParams params, int x, int y,
-                               int lanes) {
+QUELL_INLINE intL loadObjectId(FrameImages images, int x, int y, int lanes) {
 #if OBJECTID_FORMAT
-  return LOAD_WORDS(OBJECTID, objectIdData, params.objectId, x, y, lanes);
+  return LOAD_WORDS(OBJECTID, images.objectId, images.views.objectId, x, y, lanes);
 #else
   return (intL)(0);
 #endif

@@ -1,17 +1,6 @@
-// Where the caller's motion vectors and object ids lie.
+// Which motion counts as one, and what it does to history.
 #ifndef QUELL_COMMON_MOTION_PARAMS_H
 #define QUELL_COMMON_MOTION_PARAMS_H
-
-#include "common/types.h"
-
-QUELL_NAMESPACE_BEGIN
-
-typedef struct MotionParams {
-  ImageViewParams motion;
-  ImageViewParams objectId;
-} MotionParams;
-
-QUELL_NAMESPACE_END
 
 // A surface moves where its motion vector leads farther than this from where the matrices do, pixels. More than half
 // floats and a camera's rounding are off by.

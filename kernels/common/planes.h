@@ -10,6 +10,16 @@ QUELL_INLINE int planeIndex(PlaneParams planes, int x, int y) {
   return (y + QUELL_PLANE_MARGIN_ROWS) * planes.pitch + QUELL_PLANE_MARGIN + x;
 }
 
+// Begins a kernel whose work-items take QUELL_LANES pixels of a row each: declares planes, stride, x, y and index, the
+// element of the first pixel, and returns where there is no pixel.
+#define BEGIN_PIXELS(planeParams)                      \
+  const PlaneParams planes = (planeParams);            \
+  const int stride = planes.stride;                    \
+  const int x = (int)get_global_id(0) * QUELL_LANES;   \
+  const int y = (int)get_global_id(1);                 \
+  if (x >= planes.width || y >= planes.height) return; \
+  const int index = planeIndex(planes, x, y)
+
 QUELL_INLINE floatL loadLanes(__global const float* plane) {
 #if QUELL_LANES == 1
   return plane[0];

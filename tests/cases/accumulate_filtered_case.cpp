@@ -20,15 +20,16 @@ AccumulateFilteredCase::AccumulateFilteredCase(const CaseOptions& options)
 
 void AccumulateFilteredCase::upload() {
   m_harness.upload("fitted", inputs.fitted);
-  m_harness.upload("filtered.prev", inputs.filteredPrev);
+  m_harness.upload("filteredPrev", inputs.filteredPrev);
   m_harness.upload("pixelPrev", inputs.pixelPrev);
   m_harness.upload("reprojectionMask", inputs.reprojectionMask);
   m_harness.upload("historyLength", inputs.historyLength);
 }
 
 Comparison AccumulateFilteredCase::compare() {
-  Comparison comparison;
-  comparePixels(comparison, "filtered", filtered(), accumulateFilteredOracle(inputs));
+  Comparison comparison(leftOut());
+  comparePixels(comparison, "filtered", filtered(), accumulateFilteredOracle(inputs), nullptr, nullptr,
+                lightUnit());
   return comparison;
 }
 

@@ -20,6 +20,9 @@ class AccumulateFilteredCase : public StageCase {
   Comparison compare() override;
   double tolerance() const override { return kAccumulateFilteredTolerance; }
   Planes filtered() const { return m_harness.download("filtered"); }
+
+ protected:
+  std::vector<LightInput> light() override { return {lightOf(inputs.fitted), lightOf(inputs.filteredPrev)}; }
 };
 
 }  // namespace quell::tests

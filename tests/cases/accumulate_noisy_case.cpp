@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/core/frame_images.hpp"
 #include "tests/support/random_images.hpp"
 #include "tests/support/test_scene.hpp"
 
@@ -20,7 +21,6 @@ StageSetup makeAccumulateNoisySetup(const CaseOptions& options, const Accumulate
     setup.settings = Settings(variant.innovation ? "quell" : "svgf");
     setup.settings.set("momentsLeastWeight", 0.15);  // told apart from the weight of the irradiance
     if (variant.innovation) {
-      setup.settings.set("skip", "off");
       setup.settings.set("historyFrames", kMostFrames);
       setup.settings.set("stillHistoryFrames", kMostFramesStill);
     } else {
@@ -118,12 +118,12 @@ void comparePixelPrev(Comparison& comparison, const Planes& device, const ExactP
 
 // A difference: relative to the larger of what it is taken of.
 void compareInnovation(Comparison& comparison, const AccumulateNoisyOutputs<float>& device,
-                       const AccumulateNoisyExact& exact) {
+                       const AccumulateNoisyExact& exact, double unit) {
   for (int planeOfAll = 0; planeOfAll < device.innovation.count; ++planeOfAll) {
     const int signal = planeOfAll / QUELL_INNOVATION_PLANES;
     forEachPixel(device.innovation.size(), [&](int x, int y) {
       if (exact.undecided.at(0, x, y)) return;
-      double scale = 1.0;
+      double scale = unit;
       for (int plane = 3 * signal; plane < 3 * signal + 3; ++plane)
         scale = std::max({scale, exact.outputs.newestIrradiance.at(plane, x, y),
                           exact.outputs.irradiance.at(plane, x, y)});
@@ -137,8 +137,9 @@ void compareInnovation(Comparison& comparison, const AccumulateNoisyOutputs<floa
 
 AccumulateNoisyCase::AccumulateNoisyCase(const CaseOptions& options, const AccumulateNoisyVariant& variant)
     : StageCase("accumulate_noisy", makeAccumulateNoisySetup(options, variant)), m_variant(variant) {
-  static_cast<FrameImages&>(inputs) = randomFrame(variant.images(), options.size, options.seed);
-  inputs.guidesPrev = renderScene(movedCamera(), options.size, inputs.material.signals()).guides;
+  static_cast<FrameImages&>(inputs) = randomFrame(variant.images(), options);
+  inputs.guidesPrev =
+      renderScene(movedCamera(), options.size, inputs.material.signals(), options.holes()).guides;
   const Settings& settings = m_harness.configuration().settings;
   if (variant.innovation) {
     inputs.mostFrames = kMostFrames;
@@ -166,11 +167,19 @@ void AccumulateNoisyCase::upload() {
   uploadFrame(m_harness, inputs);
   uploadImage(m_harness, &Frame::motion, inputs.motion);
   if (m_variant.objectId) m_harness.setInput(&Frame::objectId, m_objectIds);
-  m_harness.upload(previousIrradiance(), inputs.irradiancePrev);
-  m_harness.upload("historyLength.prev", inputs.historyLengthPrev);
-  m_harness.upload("guides.prev", inputs.guidesPrev);
-  if (m_variant.filterGuides) m_harness.upload("moments.prev", inputs.momentsPrev);
-  if (m_variant.objectId) m_harness.upload("objectIds.prev", inputs.objectIdsPrev);
+  m_harness.upload("irradiancePrev", inputs.irradiancePrev);
+  m_harness.upload("historyLengthPrev", inputs.historyLengthPrev);
+  m_harness.upload("guidesPrev", inputs.guidesPrev);
+  if (m_variant.filterGuides) m_harness.upload("momentsPrev", inputs.momentsPrev);
+  if (m_variant.objectId) m_harness.upload("objectIdsPrev", inputs.objectIdsPrev);
+}
+
+std::vector<LightInput> AccumulateNoisyCase::light() {
+  std::vector<LightInput> all = lightOf(inputs.material);
+  const std::vector<LightInput> moments = momentsOf(inputs.momentsPrev);
+  all.push_back(lightOf(inputs.irradiancePrev));
+  all.insert(all.end(), moments.begin(), moments.end());
+  return all;
 }
 
 AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
@@ -191,27 +200,34 @@ AccumulateNoisyOutputs<float> AccumulateNoisyCase::outputs() const {
 }
 
 Comparison AccumulateNoisyCase::compare() {
-  Comparison comparison;
+  Comparison comparison(leftOut());
   const AccumulateNoisyOutputs<float> device = outputs();
   const AccumulateNoisyExact exact = accumulateNoisyOracle(inputs, device.pixelPrev);
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
   const auto* excluded = &exact.undecided;
-  comparePixels(comparison, "irradiance", device.irradiance, exact.outputs.irradiance, excluded);
+  comparePixels(comparison, "irradiance", device.irradiance, exact.outputs.irradiance, excluded, nullptr,
+                lightUnit());
   comparePixels(comparison, "historyLength", device.historyLength, exact.outputs.historyLength, excluded);
   comparePixels(comparison, "guides", device.guides, exact.outputs.guides, excluded);
   comparePixels(comparison, "reprojectionMask", device.reprojectionMask, exact.outputs.reprojectionMask,
                 excluded);
-  const auto compareIfPresent = [&](const char* name, const Planes& planes, const ExactPlanes& expected) {
-    if (planes.count > 0) comparePixels(comparison, name, planes, expected, excluded);
+  const auto compareIfPresent = [&](const char* name, const Planes& planes, const ExactPlanes& expected,
+                                    double unit = 1.0) {
+    if (planes.count > 0) comparePixels(comparison, name, planes, expected, excluded, nullptr, unit);
   };
-  compareIfPresent("moments", device.moments, exact.outputs.moments);
+  if (device.moments.count > 0) compareMoments(comparison, device.moments, exact.outputs.moments, excluded);
   compareIfPresent("viewDepth", device.viewDepth, exact.outputs.viewDepth);
   compareIfPresent("roughness", device.roughness, exact.outputs.roughness);
   compareIfPresent("objectIds", device.objectIds, exact.outputs.objectIds);
-  compareIfPresent("newestIrradiance", device.newestIrradiance, exact.outputs.newestIrradiance);
-  if (device.innovation.count > 0) compareInnovation(comparison, device, exact);
-  comparePixelPrev(comparison, device.pixelPrev, exact.outputs.pixelPrev, exact.undecided);
+  compareIfPresent("newestIrradiance", device.newestIrradiance, exact.outputs.newestIrradiance, lightUnit());
+  if (device.innovation.count > 0) compareInnovation(comparison, device, exact, lightUnit());
+  // Where background was, antialiasing wants to know.
+  Comparison everywhere(isJittered(m_harness.configuration().frame.camera) ? nullptr : leftOut());
+  comparePixels(everywhere, "first reprojectionMask", planesOf(device.reprojectionMask, 0, 1),
+                planesOf(exact.outputs.reprojectionMask, 0, 1), excluded);
+  comparePixelPrev(everywhere, device.pixelPrev, exact.outputs.pixelPrev, exact.undecided);
+  comparison.include(everywhere);
   return comparison;
 }
 

@@ -41,9 +41,10 @@ class AccumulateNoisyCase : public StageCase {
   /// After inputs.reprojection was changed.
   void useReprojection(const ReprojectionParams& reprojection);
 
- private:
-  const std::string& previousIrradiance() const { return m_harness.row().reads.front(); }
+ protected:
+  std::vector<LightInput> light() override;
 
+ private:
   AccumulateNoisyVariant m_variant;
   io::Image m_objectIds;  ///< as the caller has them; inputs.objectId holds their bits
 };

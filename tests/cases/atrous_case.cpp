@@ -24,9 +24,11 @@ AtrousCase::AtrousCase(const CaseOptions& options, const AtrousVariant& variant)
     : StageCase("atrous", makeAtrousSetup(options, variant)) {
   const Settings& settings = m_harness.configuration().settings;
   const int signals = variant.images.signals;
-  inputs.guides = randomGuides(variant.images, options.size, options.seed);
+  inputs.guides = randomGuides(variant.images, options);
   inputs.irradiance = randomPlanes(options.size, 3 * signals, options.seed + 10, 0.0, 8.0);
   if (variant.variance) inputs.variance = randomPlanes(options.size, signals, options.seed + 11, 0.0, 4.0);
+  m_holes.clear(inputs.variance);
+  m_holes.zeroesVariance = variant.iteration <= 2;
   inputs.stops = edgeStopsOf(settings);
   inputs.radius = variant.ofQuell() && variant.iteration > 1 ? 1 : 2;
   inputs.corners = !variant.ofQuell() || variant.iteration == 2 || variant.iteration == 3;
@@ -38,17 +40,20 @@ AtrousCase::AtrousCase(const CaseOptions& options, const AtrousVariant& variant)
 
 void AtrousCase::upload() {
   uploadGuides(m_harness, inputs.guides);
-  m_harness.upload(m_harness.row().reads[0], inputs.irradiance);
-  if (inputs.variance.count > 0) m_harness.upload(m_harness.row().reads[1], inputs.variance);
+  m_harness.upload("irradiance", inputs.irradiance);
+  if (inputs.variance.count > 0) m_harness.upload("variance", inputs.variance);
 }
 
 Comparison AtrousCase::compare() {
-  Comparison comparison;
+  Comparison comparison(leftOut());
   const AtrousExact exact = atrousOracle(inputs);
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
-  comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided);
-  if (filtersVariance()) comparePixels(comparison, "variance", variance(), exact.variance, &exact.undecided);
+  comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided, nullptr,
+                lightUnit());
+  if (filtersVariance())
+    comparePixels(comparison, "variance", variance(), exact.variance, &exact.undecided, nullptr,
+                  lightUnit() * lightUnit());
   return comparison;
 }
 

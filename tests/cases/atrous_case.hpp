@@ -32,10 +32,15 @@ class AtrousCase : public StageCase {
   void upload() override;
   Comparison compare() override;
   double tolerance() const override { return kAtrousTolerance; }
-  Planes irradiance() const { return m_harness.download(m_harness.row().writes[0]); }
+  Planes irradiance() const { return m_harness.download("filteredIrradiance"); }
   /// The last iteration of quell does not.
-  bool filtersVariance() const { return m_harness.row().writes.size() > 1; }
-  Planes variance() const { return m_harness.download(m_harness.row().writes[1]); }
+  bool filtersVariance() const { return m_harness.hasPort("filteredVariance"); }
+  Planes variance() const { return m_harness.download("filteredVariance"); }
+
+ protected:
+  std::vector<LightInput> light() override {
+    return {lightOf(inputs.irradiance), lightOf(inputs.variance, 2)};
+  }
 };
 
 }  // namespace quell::tests

@@ -27,6 +27,9 @@ class BackgroundCase : public StageCase {
   Planes encoded() const { return m_harness.download("encoded"); }
   Planes antialiased() const { return m_harness.download("antialiased"); }
 
+ protected:
+  std::vector<LightInput> light() override { return {lightOf(inputs.radiance), lightOf(inputs.emission)}; }
+
  private:
   bool hasSurface(int column, int row) const;
 

@@ -11,7 +11,7 @@ BlendedSumCase::BlendedSumCase(const CaseOptions& options, GramWindows windows)
     : StageCase("blended_sum", makeGramSetup(options, windows, 0.0)),
       m_windows(windows),
       m_features(options.features) {
-  inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
+  inputs.guides = withMaterials(renderScene({}, options.size, 1, options.holes()).guides, options.seed + 2);
   inputs.list = namesOf(m_features);
   m_reprojection.viewDepth = viewAxisOf(inputs.list);
   inputs.tileEdge = windows.tileEdge;
@@ -31,7 +31,7 @@ void BlendedSumCase::upload() {
 }
 
 Comparison BlendedSumCase::compare() {
-  Comparison comparison;
+  Comparison comparison(leftOut());
   const BlendedSumExact exact = blendedSumOracle(inputs);
   const Planes device = fitted();
   forEachPixel(size(), [&](int x, int y) {

@@ -1,6 +1,7 @@
 #include "tests/cases/change_inputs.hpp"
 
 #include "kernels/accumulate_noisy_params.h"
+#include "kernels/change_params.h"
 #include "tests/cases/filter_inputs.hpp"
 #include "tests/support/random_images.hpp"
 
@@ -19,6 +20,17 @@ StageSetup makeChangeSetup(const CaseOptions& options, int signals, ChangeSettin
   setup.settings.set("changeGain", kChangeGain);
   setup.settings.set("changeMemory", kChangeMemory);
   return setup;
+}
+
+std::vector<LightInput> lightOfRecords(Planes& sums) {
+  std::vector<LightInput> inputs;
+  for (std::size_t first = 0; first < sums.values.size(); first += QUELL_CHANGE_RECORD) {
+    for (int plane = 0; plane < QUELL_INNOVATION_PLANES; ++plane) {
+      inputs.push_back({&sums.values[first + QUELL_CHANGE_SUM(plane)], 1, 1});
+      inputs.push_back({&sums.values[first + QUELL_CHANGE_SQUARES(plane)], 1, 2});
+    }
+  }
+  return inputs;
 }
 
 Planes randomHistoryLengths(Size size, int signals, unsigned seed) {

@@ -21,6 +21,9 @@ enum class ChangeSettings { Unusual, Defaults };
 StageSetup makeChangeSetup(const CaseOptions& options, int signals,
                            ChangeSettings settings = ChangeSettings::Unusual);
 
+/// Of the records of tiles: sums of differences and of their squares.
+std::vector<LightInput> lightOfRecords(Planes& sums);
+
 /// None, one frame, a few and the longest ones.
 Planes randomHistoryLengths(Size size, int signals, unsigned seed);
 

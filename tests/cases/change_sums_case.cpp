@@ -24,7 +24,7 @@ void ChangeSumsCase::useFrame(std::uint32_t frameIndex) {
 void ChangeSumsCase::upload() {
   m_harness.upload("innovation", inputs.innovation);
   m_harness.upload("historyLength", inputs.historyLength);
-  m_harness.upload("changeSums.prev", inputs.sumsPrev);
+  m_harness.upload("changeSumsPrev", inputs.sumsPrev);
 }
 
 Comparison ChangeSumsCase::compare() {

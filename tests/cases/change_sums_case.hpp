@@ -23,6 +23,13 @@ class ChangeSumsCase : public StageCase {
   Comparison compare() override;
   double tolerance() const override { return kChangeSumsTolerance; }
   Planes sums() const { return m_harness.download("changeSums"); }
+
+ protected:
+  std::vector<LightInput> light() override {
+    std::vector<LightInput> all = lightOfRecords(inputs.sumsPrev);
+    all.push_back(lightOf(inputs.innovation));
+    return all;
+  }
 };
 
 }  // namespace quell::tests

@@ -60,7 +60,7 @@ void ChangeWeightCase::setTile(int tile, double count, Differences luminance, Di
 
 void ChangeWeightCase::upload() {
   m_harness.upload("changeSums", inputs.sums);
-  m_harness.upload("recentChange.prev", inputs.recentChangePrev);
+  m_harness.upload("recentChangePrev", inputs.recentChangePrev);
 }
 
 Comparison ChangeWeightCase::compare() {

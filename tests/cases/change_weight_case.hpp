@@ -34,6 +34,9 @@ class ChangeWeightCase : public StageCase {
   double tolerance() const override { return kChangeWeightTolerance; }
   Planes weights() const { return m_harness.download("changeWeights"); }
   Planes recentChange() const { return m_harness.download("recentChange"); }
+
+ protected:
+  std::vector<LightInput> light() override { return lightOfRecords(inputs.sums); }
 };
 
 }  // namespace quell::tests

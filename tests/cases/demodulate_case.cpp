@@ -50,8 +50,7 @@ void compareFBeta(Comparison& comparison, const FrameImages& frame, const Planes
 }  // namespace
 
 DemodulateCase::DemodulateCase(const CaseOptions& options, const FrameVariant& variant)
-    : StageCase("demodulate", makeDemodulateSetup(options, variant)),
-      inputs(randomFrame(variant, options.size, options.seed)) {
+    : StageCase("demodulate", makeDemodulateSetup(options, variant)), inputs(randomFrame(variant, options)) {
   inputs.reprojection = makeReprojection({}, {}, options.size);
   m_reprojection = inputs.reprojection;
 }
@@ -59,7 +58,7 @@ DemodulateCase::DemodulateCase(const CaseOptions& options, const FrameVariant& v
 void DemodulateCase::upload() { uploadFrame(m_harness, inputs); }
 
 Comparison DemodulateCase::compare() {
-  Comparison comparison;
+  Comparison comparison(leftOut());
   if (!inputs.material.f0.empty()) {
     inputs.material.fBeta = m_harness.download("fBeta");
     compareFBeta(comparison, inputs, inputs.material.fBeta);
@@ -67,7 +66,8 @@ Comparison DemodulateCase::compare() {
   const DemodulateExact exact = demodulateOracle(inputs);
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
-  comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided);
+  comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided, nullptr,
+                lightUnit());
   comparePixels(comparison, "guides", guides(), exact.guides, &exact.undecided);
   comparePixels(comparison, "viewDepth", m_harness.download("viewDepth"), exact.viewDepth, &exact.undecided);
   if (!inputs.roughness.empty())

@@ -23,6 +23,9 @@ class DemodulateCase : public StageCase {
   double tolerance() const override { return kDemodulateTolerance; }
   Planes irradiance() const { return m_harness.download("irradiance"); }
   Planes guides() const { return m_harness.download("guides"); }
+
+ protected:
+  std::vector<LightInput> light() override { return lightOf(inputs.material); }
 };
 
 }  // namespace quell::tests

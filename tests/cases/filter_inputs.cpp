@@ -48,9 +48,10 @@ EdgeStopParams edgeStopsOf(const Settings& settings) {
   return stops;
 }
 
-FilterGuides randomGuides(const FilterVariant& variant, Size size, unsigned seed) {
-  Random random(seed);
-  const SceneView view = renderScene({}, size, variant.signals);
+FilterGuides randomGuides(const FilterVariant& variant, const CaseOptions& options) {
+  const Size size = options.size;
+  Random random(options.seed);
+  const SceneView view = renderScene({}, size, variant.signals, options.holes());
   FilterGuides guides{view.guides, Planes(size, 1), {}};
   forEachPixel(size, [&](int x, int y) {
     if (view.viewDepth.at(x, y, 0) == 0.0f) return;  // sky
@@ -60,7 +61,7 @@ FilterGuides randomGuides(const FilterVariant& variant, Size size, unsigned seed
     for (int signal = 0; signal < variant.signals; ++signal)
       guides.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = randomWeight(random);
   });
-  if (variant.roughness) guides.roughness = randomPlanes(size, 1, seed + 1);
+  if (variant.roughness) guides.roughness = randomPlanes(size, 1, options.seed + 1);
   return guides;
 }
 

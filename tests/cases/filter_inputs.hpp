@@ -20,7 +20,7 @@ EdgeStopParams edgeStopsOf(const Settings& settings);
 
 /// The test scene, tilted and roughened so that penalties of all sizes occur; holes, and weights below 1 where a
 /// material fades out.
-FilterGuides randomGuides(const FilterVariant& variant, Size size, unsigned seed);
+FilterGuides randomGuides(const FilterVariant& variant, const CaseOptions& options);
 
 /// Sends what the stage's line of the table names.
 void uploadGuides(StageHarness& harness, const FilterGuides& guides);

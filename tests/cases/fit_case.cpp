@@ -10,7 +10,7 @@
 namespace quell::tests {
 namespace {
 
-constexpr double kLeastScale = 1e-3;  // irradiance below which errors are absolute
+constexpr double kLeastScale = 1e-3;  // share of the light's unit below which errors are absolute
 
 StageSetup makeFitSetup(const CaseOptions& options, FeatureStorage storage, double noiseAmplitude) {
   StageSetup setup = makeSetup(options);
@@ -19,8 +19,8 @@ StageSetup makeFitSetup(const CaseOptions& options, FeatureStorage storage, doub
   return setup;
 }
 
-double brightest(const FitInputs& inputs, int block) {
-  double brightest = kLeastScale;
+double brightest(const FitInputs& inputs, int block, double unit) {
+  double brightest = kLeastScale * unit;
   for (int row = 0; row < QUELL_BLOCK_PIXELS; ++row) {
     const BlockPixel pixel = blockPixel(inputs.params, block, row);
     if (!(inputs.guides.at(QUELL_GUIDE_WEIGHT, pixel.x, pixel.y) > 0.0f)) continue;
@@ -39,7 +39,7 @@ FitCase::FitCase(const CaseOptions& options, FeatureStorage storage, double nois
   inputs.list = namesOf(m_features);
   m_reprojection.viewDepth = viewAxisOf(inputs.list);
   inputs.irradiance = randomPlanes(options.size, 3, options.seed, 0.0, 8.0);
-  inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
+  inputs.guides = withMaterials(renderScene({}, options.size, 1, options.holes()).guides, options.seed + 2);
   Random random(options.seed + 1);
   forEachPixel(options.size, [&](int x, int y) {
     if (random.uniform() < 0.1) inputs.guides.at(QUELL_GUIDE_WEIGHT, x, y) *= float(random.uniform());
@@ -71,16 +71,19 @@ Comparison FitCase::compare() {
   for (int block = 0; block < int(exact.records.size()); ++block) {
     const FitRecord record = unpackRecord(device, block, inputs.list);
     const FitRecord& expected = exact.records[std::size_t(block)];
-    const double scale = brightest(inputs, block);
+    const double scale = brightest(inputs, block, lightUnit());
+    bool anyWeight = false;
     for (int row = 0; row < QUELL_BLOCK_PIXELS; ++row) {
       const BlockPixel p = blockPixel(inputs.params, block, row);
       if (!(inputs.guides.at(QUELL_GUIDE_WEIGHT, p.x, p.y) > 0.0f)) continue;
+      anyWeight = true;
       const Eigen::RowVector3d predicted = features(inputs.guides, record, p.x, p.y) * record.coefficients;
       const Eigen::RowVector3d wanted = features(inputs.guides, expected, p.x, p.y) * expected.coefficients;
       for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
         comparison.include("prediction of block " + std::to_string(block), c, p.x, p.y, predicted[c],
                            wanted[c], scale);
     }
+    comparison.include("whether a fit is usable, of block", block, 0, 0, record.usable, anyWeight);
   }
   return comparison;
 }

@@ -39,6 +39,9 @@ class FitCase : public StageCase {
   Comparison compareCoefficients() const;
   Planes records() const { return m_harness.download("fitRecords"); }
 
+ protected:
+  std::vector<LightInput> light() override { return {lightOf(inputs.irradiance)}; }
+
  private:
   FeatureStorage m_storage;
   FitFeatures m_features;

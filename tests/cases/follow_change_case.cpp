@@ -10,21 +10,25 @@ namespace {
 
 constexpr double kStillShare = 0.5;  // of the tiles
 
-// Largest magnitude of each pixel before the stage ran: what a blend's rounding errors are relative to.
-ExactPlanes scalesOf(const Planes& blended, const Planes& newest) {
-  ExactPlanes scales(blended.size(), 1);
-  for (const Planes* planes : {&blended, &newest})
-    for (int plane = 0; plane < planes->count; ++plane)
-      forEachPixel(planes->size(), [&](int x, int y) {
-        scales.at(0, x, y) = std::max(scales.at(0, x, y), std::abs(double(planes->at(plane, x, y))));
-      });
-  return scales;
+// Largest magnitude of each pixel in one of the planes: what a blend's rounding errors are relative to.
+void include(ExactPlanes& scales, int plane, const Planes& values, int first, int count, int power = 1) {
+  for (int source = first; source < first + count; ++source)
+    forEachPixel(values.size(), [&](int x, int y) {
+      double& scale = scales.at(plane, x, y);
+      scale = std::max(scale, std::pow(std::abs(double(values.at(source, x, y))), power));
+    });
 }
 
-// Bounds of luminance and of its square: a luminance is at most the largest component.
-Planes squaredPlanes(Planes planes) {
-  for (float& value : planes.values) value = std::max(value, value * value);
-  return planes;
+// Of each moment. A luminance is at most the largest component.
+ExactPlanes scalesOfMoments(const FollowChangeInputs& inputs) {
+  ExactPlanes scales(inputs.moments.size(), inputs.moments.count);
+  for (int plane = 0; plane < scales.count; ++plane) {
+    const int signal = plane / QUELL_MOMENT_PLANES;
+    include(scales, plane, inputs.moments, plane, 1);
+    include(scales, plane, inputs.newestIrradiance, 3 * signal, 3,
+            plane % QUELL_MOMENT_PLANES == QUELL_MOMENT_FIRST ? 1 : 2);
+  }
+  return scales;
 }
 
 }  // namespace
@@ -52,21 +56,31 @@ void FollowChangeCase::upload() {
   m_harness.upload("historyLength", inputs.historyLength);
 }
 
+std::vector<LightInput> FollowChangeCase::light() {
+  std::vector<LightInput> all = momentsOf(inputs.moments);
+  all.push_back(lightOf(inputs.newestIrradiance));
+  all.push_back(lightOf(inputs.irradiance));
+  return all;
+}
+
 FollowChangeOutputs FollowChangeCase::outputs() const {
   return {m_harness.download("irradiance"), m_harness.download("moments"),
           m_harness.download("historyLength")};
 }
 
 Comparison FollowChangeCase::compare() {
-  Comparison comparison;
+  Comparison comparison(leftOut());
   const FollowChangeOutputs device = outputs();
   const FollowChangeExact exact = followChangeOracle(inputs);
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
-  const ExactPlanes light = scalesOf(inputs.irradiance, inputs.newestIrradiance);
-  const ExactPlanes squares = scalesOf(inputs.moments, squaredPlanes(inputs.newestIrradiance));
-  comparePixels(comparison, "irradiance", device.irradiance, exact.irradiance, &exact.undecided, &light);
-  comparePixels(comparison, "moments", device.moments, exact.moments, &exact.undecided, &squares);
+  ExactPlanes brightest(size(), 1);
+  for (const Planes* planes : {&inputs.irradiance, &inputs.newestIrradiance})
+    include(brightest, 0, *planes, 0, planes->count);
+  const ExactPlanes moments = scalesOfMoments(inputs);
+  comparePixels(comparison, "irradiance", device.irradiance, exact.irradiance, &exact.undecided, &brightest,
+                lightUnit());
+  compareMoments(comparison, device.moments, exact.moments, &exact.undecided, &moments);
   comparePixels(comparison, "historyLength", device.historyLength, exact.historyLength, &exact.undecided);
   return comparison;
 }

@@ -24,6 +24,9 @@ class FollowChangeCase : public StageCase {
   Comparison compare() override;
   double tolerance() const override { return kFollowChangeTolerance; }
   FollowChangeOutputs outputs() const;
+
+ protected:
+  std::vector<LightInput> light() override;
 };
 
 }  // namespace quell::tests

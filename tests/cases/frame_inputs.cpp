@@ -19,14 +19,14 @@ void setFrameViews(StageSetup& setup, const FrameVariant& variant, const ImageLa
   if (variant.roughness) setup.frame.roughness = makeView(guide, setup.size);
 }
 
-FrameImages randomFrame(const FrameVariant& variant, Size size, unsigned seed) {
-  const SceneView view = renderScene({}, size);
+FrameImages randomFrame(const FrameVariant& variant, const CaseOptions& options) {
+  const SceneView view = renderScene({}, options.size, 1, options.holes());
   FrameImages frame;
-  frame.material = randomMaterial(variant.material, size, seed);
+  frame.material = randomMaterial(variant.material, options.size, options.seed);
   frame.normal = view.normalWorld;
   frame.position = variant.viewDepth ? view.viewDepth : view.positionWorld;
   frame.positionIsDepth = variant.viewDepth;
-  if (variant.roughness) frame.roughness = randomImage(size, 1, seed + 10, -0.1, 1.1);
+  if (variant.roughness) frame.roughness = randomImage(options.size, 1, options.seed + 10, -0.1, 1.1);
   return frame;
 }
 

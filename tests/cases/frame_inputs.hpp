@@ -18,7 +18,7 @@ struct FrameVariant {
 void setFrameViews(StageSetup& setup, const FrameVariant& variant, const ImageLayout& layout);
 
 /// The test scene with random light, without a camera of the frame before.
-FrameImages randomFrame(const FrameVariant& variant, Size size, unsigned seed);
+FrameImages randomFrame(const FrameVariant& variant, const CaseOptions& options);
 
 /// Sends the images; `frame` keeps what the device reads, after rounding to the layout.
 void uploadFrame(StageHarness& harness, FrameImages& frame);

@@ -5,10 +5,10 @@
 namespace quell::tests {
 namespace {
 
-constexpr double kLeastScale = 1e-3;  // irradiance below which errors are absolute
+constexpr double kLeastScale = 1e-3;  // share of the light's unit below which errors are absolute
 
-double brightest(const Planes& irradiance, const std::vector<BlockPixel>& pixels) {
-  double brightest = kLeastScale;
+double brightest(const Planes& irradiance, const std::vector<BlockPixel>& pixels, double unit) {
+  double brightest = kLeastScale * unit;
   for (const BlockPixel p : pixels)
     for (int c = 0; c < QUELL_FIT_CHANNELS; ++c)
       brightest = std::max<double>(brightest, irradiance.at(c, p.x, p.y));
@@ -71,7 +71,7 @@ Comparison GramSolveCase::compareCoefficients() const {
       for (int j = 0; j < m_list.count(); ++j)
         comparison.include("coefficient (feature, channel) of window " + std::to_string(window), 0, j, c,
                            record.coefficients(j, c), expected(j, c),
-                           std::max(kLeastScale, expected.col(c).cwiseAbs().maxCoeff()));
+                           std::max(kLeastScale * lightUnit(), expected.col(c).cwiseAbs().maxCoeff()));
   }
   return comparison;
 }
@@ -87,7 +87,7 @@ Comparison GramSolveCase::comparePredictions(const std::vector<GramFit>& exact) 
     }
     const FitRecord record = unpackRecord(device, window, m_list);
     const std::vector<BlockPixel> pixels = windowPixels(window);
-    const double scale = brightest(inputs.irradiance, pixels);
+    const double scale = brightest(inputs.irradiance, pixels, lightUnit());
     const std::string name = "prediction of window " + std::to_string(window) + " (condition " +
                              std::to_string(int(fit.condition)) + ")";
     for (const BlockPixel p : pixels) {

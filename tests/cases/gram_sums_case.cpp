@@ -58,7 +58,7 @@ StageSetup makeGramSetup(const CaseOptions& options, const GramWindows& windows,
 GramInputs makeGramInputs(const CaseOptions& options, const GramWindows& windows) {
   GramInputs inputs;
   inputs.irradiance = randomPlanes(options.size, 3, options.seed, 0.0, 8.0);
-  inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
+  inputs.guides = withMaterials(renderScene({}, options.size, 1, options.holes()).guides, options.seed + 2);
   inputs.list = gramNamesOf(FitFeatures(options.features), windows.overlap);
   Random random(options.seed + 1);
   forEachPixel(options.size, [&](int x, int y) {

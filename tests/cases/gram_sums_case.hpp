@@ -38,6 +38,9 @@ class GramSumsCase : public StageCase {
   double tolerance() const override { return kGramSumTolerance; }
   Planes tiles() const { return m_harness.download("gramTiles"); }
 
+ protected:
+  std::vector<LightInput> light() override { return {lightOf(inputs.irradiance)}; }
+
  private:
   GramWindows m_windows;
   FitFeatures m_features;

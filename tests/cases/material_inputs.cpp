@@ -52,6 +52,10 @@ MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigne
   return images;
 }
 
+std::vector<LightInput> lightOf(MaterialImages& images) {
+  return {lightOf(images.radiance), lightOf(images.emission), lightOf(images.glossyRadiance)};
+}
+
 void uploadMaterial(StageHarness& harness, MaterialImages& images) {
   uploadImage(harness, &Frame::radiance, images.radiance);
   uploadImage(harness, &Frame::glossyRadiance, images.glossyRadiance);

@@ -31,6 +31,8 @@ void setMaterialViews(StageSetup& setup, const MaterialVariant& variant, const I
 /// Random radiance; factors from 0 to 1 with many near 0, where demodulation fades out.
 MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigned seed);
 
+std::vector<LightInput> lightOf(MaterialImages& images);
+
 /// Sends an image, if there is one, and keeps what the device reads, after rounding to the layout.
 void uploadImage(StageHarness& harness, ImageView Frame::*view, io::Image& image);
 

@@ -24,21 +24,22 @@ RemodulateCase::RemodulateCase(const CaseOptions& options, const MaterialVariant
   inputs.material = randomMaterial(variant, options.size, options.seed);
   const int signals = inputs.material.signals();
   inputs.filtered = randomPlanes(options.size, 3 * signals, options.seed + 10, 0.0, 8.0);
-  inputs.guides = renderScene({}, options.size, signals).guides;
+  inputs.guides = renderScene({}, options.size, signals, options.holes()).guides;
 }
 
 void RemodulateCase::upload() {
   uploadMaterial(m_harness, inputs.material);
-  m_harness.upload(m_harness.row().reads.front(), inputs.filtered);
+  m_harness.upload("filtered", inputs.filtered);
   m_harness.upload("guides", inputs.guides);
 }
 
 Comparison RemodulateCase::compare() {
-  Comparison comparison;
+  Comparison comparison(leftOut());
   const RemodulateExact exact = remodulateOracle(inputs);
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
-  compareOutput(comparison, m_harness, &Output::linear, exact.linear, &exact.undecided, &exact.magnitude);
+  compareOutput(comparison, m_harness, &Output::linear, exact.linear, &exact.undecided, &exact.magnitude,
+                lightUnit());
   if (m_isLast) {
     compareOutput(comparison, m_harness, &Output::display, exact.encoded, &exact.undecided);
   } else {

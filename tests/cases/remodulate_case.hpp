@@ -25,6 +25,13 @@ class RemodulateCase : public StageCase {
   Planes linear() const { return outputPlanes(m_harness, &Output::linear); }
   Planes encoded() const { return m_harness.download("encoded"); }
 
+ protected:
+  std::vector<LightInput> light() override {
+    std::vector<LightInput> inputsOfLight = lightOf(inputs.material);
+    inputsOfLight.push_back(lightOf(inputs.filtered));
+    return inputsOfLight;
+  }
+
  private:
   bool m_isLast;
   ImageLayout m_layout;

@@ -37,7 +37,7 @@ Planes randomMoments(Size size, int signals, unsigned seed) {
 VarianceCase::VarianceCase(const CaseOptions& options, int signals, VarianceOf of)
     : StageCase("variance", makeVarianceSetup(options, signals, of)) {
   const Settings& settings = m_harness.configuration().settings;
-  inputs.guides = randomGuides({signals, false}, options.size, options.seed);
+  inputs.guides = randomGuides({signals, false}, options);
   inputs.moments = randomMoments(options.size, signals, options.seed + 10);
   inputs.historyLength = Planes(options.size, signals);
   Random random(options.seed + 20);
@@ -56,13 +56,13 @@ void VarianceCase::upload() {
 }
 
 Comparison VarianceCase::compare() {
-  Comparison comparison;
+  Comparison comparison(leftOut());
   const Planes device = variance();
   const VarianceExact exact = varianceOracle(inputs);
   for (int signal = 0; signal < device.count; ++signal) {
     forEachPixel(size(), [&](int x, int y) {
       comparison.include("variance", signal, x, y, device.at(signal, x, y), exact.variance.at(signal, x, y),
-                         std::max(1.0, exact.magnitude.at(signal, x, y)));
+                         std::max(lightUnit() * lightUnit(), exact.magnitude.at(signal, x, y)));
     });
   }
   return comparison;

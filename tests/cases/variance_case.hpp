@@ -25,6 +25,9 @@ class VarianceCase : public StageCase {
   Comparison compare() override;
   double tolerance() const override { return kVarianceTolerance; }
   Planes variance() const { return m_harness.download("variance"); }
+
+ protected:
+  std::vector<LightInput> light() override { return momentsOf(inputs.moments); }
 };
 
 }  // namespace quell::tests

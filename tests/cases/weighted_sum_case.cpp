@@ -10,7 +10,7 @@
 namespace quell::tests {
 WeightedSumCase::WeightedSumCase(const CaseOptions& options)
     : StageCase("weighted_sum", makeSetup(options)), m_features(options.features) {
-  inputs.guides = withMaterials(renderScene({}, options.size).guides, options.seed + 2);
+  inputs.guides = withMaterials(renderScene({}, options.size, 1, options.holes()).guides, options.seed + 2);
   inputs.list = namesOf(m_features);
   m_reprojection.viewDepth = viewAxisOf(inputs.list);
   inputs.records = randomRecords(inputs.list, blockCount(options.size), options.seed);
@@ -29,7 +29,7 @@ void WeightedSumCase::upload() {
 }
 
 Comparison WeightedSumCase::compare() {
-  Comparison comparison;
+  Comparison comparison(leftOut());
   const WeightedSumExact exact = weightedSumOracle(inputs);
   const Planes device = fitted();
   forEachPixel(size(), [&](int x, int y) {

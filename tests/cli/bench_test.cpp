@@ -1,22 +1,16 @@
 // quell bench as a user runs it: what it runs, skips, stores and refuses. Never how fast anything was.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "host/cli/bench_compare.hpp"
-#include "host/cli/bench_plan.hpp"
-#include "host/cli/bench_roofline.hpp"
-#include "host/cli/bench_sweeps.hpp"
-#include "host/cli/run_tool.hpp"
+#include "host/cli/bench/roofline.hpp"
+#include "host/cli/common/run_plan.hpp"
 #include "host/io/atomic_file.hpp"
-#include "host/io/exr_image.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/tool.hpp"
 
 namespace quell::tests {
 namespace {
@@ -24,22 +18,12 @@ namespace {
 using nlohmann::json;
 using namespace std::string_literals;
 
-const std::string kData = std::string(QUELL_DATA_DIR) + "/colonnade";
-
-int quell(std::vector<std::string> arguments) {
-  std::vector<const char*> argv = {"quell"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return cli::runTool(static_cast<int>(argv.size()), argv.data());
-}
-
 // Runs the bench with what all tests share added.
 int bench(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "bench");
   arguments.insert(arguments.end(), {"--frames", "3", "--repeat", "1"});
   return quell(std::move(arguments));
 }
-
-json readJson(const std::string& file) { return json::parse(io::readFile(file)); }
 
 std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> result;
@@ -54,40 +38,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-std::vector<std::string> namesOf(const std::vector<cli::PlannedRun>& runs) {
-  std::vector<std::string> names;
-  for (const cli::PlannedRun& run : runs) names.push_back(run.name());
-  return names;
-}
-
-ErrorCode codeOfPlan(const std::vector<std::string>& methods, const std::vector<cli::Variation>& variations) {
-  try {
-    cli::planRuns(methods, variations);
-  } catch (const Error& error) {
-    return error.code();
-  }
-  FAIL("planned");
-  return {};
-}
-
 }  // namespace
-
-TEST_CASE("bench plans all combinations of methods and values", "[cli]") {
-  CHECK(namesOf(cli::planRuns({"bmfr"}, {})) == std::vector<std::string>{"bmfr"});
-  const cli::Variation solver = cli::parseVariation("solver=householder,gram");
-  const cli::Variation taa = cli::parseVariation("taa=off");
-  CHECK(namesOf(cli::planRuns({"bmfr"}, {solver, taa})) ==
-        std::vector<std::string>{"bmfr solver=householder taa=off", "bmfr solver=gram taa=off"});
-}
-
-TEST_CASE("bench refuses what no method knows", "[cli]") {
-  CHECK(codeOfPlan({"magic"}, {}) == ErrorCode::UnknownSetting);
-  CHECK(codeOfPlan({"bmfr"}, {{"nothing", {"1"}}}) == ErrorCode::UnknownSetting);
-  CHECK(codeOfPlan({"bmfr"}, {{"solver", {"gram", "magic"}}}) == ErrorCode::OutOfRange);
-  CHECK(codeOfPlan({"bmfr"}, {{"taa", {"on"}}, {"taa", {"off"}}}) == ErrorCode::InvalidArgument);
-  CHECK_THROWS_AS(cli::parseVariation("solver"), Error);
-  CHECK_THROWS_AS(cli::parseVariation("solver="), Error);
-}
 
 TEST_CASE("bench stores stage times beside the copy bandwidth", "[cli]") {
   const TemporaryDirectory directory;
@@ -202,40 +153,6 @@ TEST_CASE("bench answers mistakes and leaves no file", "[cli]") {
   CHECK(bench({"--size", "8x8", "--json", directory.file("missing/bench.json")}) == 1);
 }
 
-TEST_CASE("bench runs sweeps beside the main runs, on the first input or on sizes of their own", "[cli]") {
-  CHECK(namesOf(cli::planSweep("storage", {"svgf", "bmfr"})) ==
-        std::vector<std::string>{"bmfr solver=householder featureStorage=float",
-                                 "bmfr solver=householder featureStorage=half"});
-  CHECK(cli::planSweep("features", {"bmfr"}).size() == 2 * 5);
-  CHECK(cli::planSweep("iterations", {"svgf", "atrous"}).size() == 2 * 7);
-  CHECK(cli::sweepSizes("sizes").size() == 5);
-  CHECK(cli::sweepSizes("taa").empty());
-  CHECK(namesOf(cli::planSweep("background", methodNames())) ==
-        std::vector<std::string>{"quell skip=on", "quell skip=off"});
-  CHECK(cli::sweepSkyShares("background") == std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0});
-  CHECK(cli::sweepSkyShares("sizes").empty());
-  CHECK_THROWS_AS(cli::planSweep("windows", {"atrous"}), Error);
-  for (const std::string& sweep : cli::sweepNames()) {
-    for (const cli::PlannedRun& run : cli::planSweep(sweep, methodNames())) {
-      CHECK(run.sweep == sweep);
-      Settings settings(run.method);
-      for (const auto& [setting, value] : run.assignments) CHECK_NOTHROW(settings.set(setting, value));
-    }
-  }
-}
-
-TEST_CASE("bench opens the built-in sequence once for every size and share of sky", "[cli]") {
-  cli::InputArguments arguments;
-  arguments.sizes = {"8x6", "16x9"};
-  arguments.skyShares = {0.0, 0.25, 1.0};
-  const std::vector<cli::BenchInput> inputs = cli::openInputs(arguments);
-  REQUIRE(inputs.size() == 2 * 3);
-  CHECK(inputs[1].sequence->name() == "analytic room, seed 1, 25 % sky");
-  CHECK(inputs[1].sequence->width() == 8);
-  CHECK(inputs[3].sequence->name() == "analytic room, seed 1");
-  CHECK(inputs[5].sequence->width() == 16);
-}
-
 TEST_CASE("the sweep of F_beta says what it needs where that is missing", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.file("bench.json");
@@ -244,19 +161,6 @@ TEST_CASE("the sweep of F_beta says what it needs where that is missing", "[cli]
   REQUIRE(result.at("skipped").size() == 1);
   CHECK(result.at("skipped")[0].at("run") == "atrous demodulate=fbeta");
   CHECK(contains(result.at("skipped")[0].at("reason"), "roughness"));
-}
-
-TEST_CASE("the sweep of F_beta runs on the first directory with roughness", "[cli]") {
-  const TemporaryDirectory directory;
-  const std::string rough = directory.file("rough");
-  std::filesystem::copy(kData, rough);
-  const io::Image albedo = io::readExr(rough + "/albedo_0004.exr");
-  for (int frame = 4; frame < 16; ++frame)
-    io::writeExr(fmt::format("{}/roughness_{:04}.exr", rough, frame),
-                 io::Image(albedo.width, albedo.height, 1));
-  CHECK(cli::directoryWithRoughness({kData, rough}, 1) == rough);
-  CHECK(cli::directoryWithRoughness({rough, kData}, 1) == rough);
-  CHECK(cli::directoryWithRoughness({kData}, 1) == kData);
 }
 
 TEST_CASE("what is skipped does not count as bytes moved", "[cli]") {
@@ -279,16 +183,10 @@ TEST_CASE("what is skipped does not count as bytes moved", "[cli]") {
 }
 
 TEST_CASE("operations are those of the pixels that a stage works on", "[cli]") {
-  Timings timings;
-  timings.stages.resize(3);
-  timings.stages[0].stage = "background";
-  timings.stages[1].stage = "variance";
-  timings.stages[1].skippedShare = 0.75;
-  timings.stages[2].stage = "change";
-  const auto share = [&](std::size_t stage) { return cli::workShare(timings.stages[stage], timings); };
-  CHECK(share(0) == 0.75);
-  CHECK(share(1) == 0.25);
-  CHECK(share(2) == 1.0);
+  StageTimings stage;
+  CHECK(cli::workShare(stage) == 1.0);
+  stage.skippedShare = 0.75;
+  CHECK(cli::workShare(stage) == 0.25);
 }
 
 TEST_CASE("bench adds roofline, build times, sweeps and a page", "[cli]") {
@@ -338,50 +236,6 @@ TEST_CASE("bench puts pictures of every method into the page", "[cli]") {
     CHECK(
         contains(page, "\"name\":\"" + std::string(name) + "\",\"png\":\"data:image/png;base64,iVBORw0KGgo"));
 }
-
-namespace {
-
-// A result as far as comparisons read it.
-json resultOf(const std::vector<double>& rounds, double rmse, double ssim) {
-  const json errors = {
-      {{"frame", 3},
-       {"linear", {{"rmse", rmse}, {"unbiased_rmse", nullptr}, {"ssim", ssim}, {"flip", 0.1}}}}};
-  return {{"runs",
-           {{{"run", "bmfr"},
-             {"input", "room"},
-             {"width", 8},
-             {"height", 8},
-             {"frames", 4},
-             {"copy_ms", 2.0},
-             {"round_medians_ms", rounds},
-             {"errors", errors},
-             {"temporal_error", 0.01}}}}};
-}
-
-}  // namespace
-
-TEST_CASE("bench says what changed beyond noise", "[cli]") {
-  const json before = resultOf({4.0, 4.4, 4.2}, 0.1, 0.8);
-  const auto compared = [&](const json& now) { return cli::compareBench(before, now, "old.json"); };
-  CHECK(compared(before) == "1 runs compared: 0 slower, 0 faster; 0 figures worse, 0 better\n");
-  CHECK(contains(compared(resultOf({4.6, 4.3, 4.5}, 0.1, 0.8)), " 0 slower, 0 faster"));
-  CHECK(contains(compared(resultOf({4.6, 4.7, 4.5}, 0.1, 0.8)),
-                 "slower: bmfr on room, 8x8, 4 frames: 2.2 to 2.4 copies"));
-  CHECK(contains(compared(resultOf({3.6, 3.7, 3.5}, 0.1, 0.8)), "faster: bmfr on room"));
-  CHECK(contains(compared(resultOf({4.2}, 0.102, 0.8)),
-                 "worse: bmfr on room, 8x8, 4 frames, frame 3: rmse 0.102, was 0.1"));
-  CHECK(contains(compared(resultOf({4.2}, 0.1, 0.78)), "worse: bmfr on room, 8x8, 4 frames, frame 3: ssim"));
-  CHECK(contains(compared(resultOf({4.2}, 0.09, 0.8)), " 0 figures worse, 1 better"));
-  CHECK(contains(compared({{"runs", json::array()}}), "0 runs compared"));
-  json longer = before, swept = before;
-  longer["runs"][0]["frames"] = 8;
-  swept["runs"][0]["sweep"] = "sizes";
-  CHECK(contains(compared(longer), "0 runs compared"));
-  CHECK(contains(compared(swept), "0 runs compared"));
-  CHECK_THROWS_AS(cli::compareBench({{"runs", {{{"run", "bmfr"}}}}}, before, "old.json"), Error);
-}
-
-TEST_CASE("bench has a help text", "[cli]") { CHECK(quell({"bench", "--help"}) == 0); }
 
 TEST_CASE("bench takes lists of features, separated by semicolons", "[cli]") {
   const TemporaryDirectory directory;

@@ -5,11 +5,10 @@
 #include <set>
 #include <string>
 
-#include "host/cli/kernel_variants.hpp"
-#include "host/cli/run_tool.hpp"
-#include "host/io/atomic_file.hpp"
+#include "host/cli/kernels/variants.hpp"
 #include "quell/quell.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/tool.hpp"
 
 namespace quell::tests {
 namespace {
@@ -45,9 +44,21 @@ TEST_CASE("the list has every method, every choice of its settings and every ima
     CHECK(hasOption(typical, "fit", storage));
   for (const char* signals : {"QUELL_SIGNALS=1", "QUELL_SIGNALS=2"})
     CHECK(hasOption(typical, "accumulate_noisy", signals));
-  CHECK_FALSE(hasOption(typical, "accumulate_noisy", "POSITION_IS_DEPTH=1"));
-  CHECK(hasOption(variantsOf("bmfr", cli::ImageSets::All), "accumulate_noisy", "POSITION_IS_DEPTH=1"));
+  CHECK_FALSE(hasOption(typical, "accumulate_noisy", "VIEWDEPTH_FORMAT=1"));
+  CHECK(hasOption(variantsOf("bmfr", cli::ImageSets::All), "accumulate_noisy", "VIEWDEPTH_FORMAT=1"));
   CHECK_THROWS_AS(variantsOf("magic", cli::ImageSets::Typical), Error);
+}
+
+TEST_CASE("features come on top of the other choices, where a method fits any", "[cli]") {
+  const auto listed = [](const char* method, const char* features) {
+    cli::KernelVariants variants;
+    cli::addKernelVariants(variants, method, cli::ImageSets::Typical, kLanesOfGpus, kWorkGroup, features);
+    return variants;
+  };
+  CHECK_FALSE(hasOption(listed("bmfr", ""), "material_guides", "QUELL_LANES=1"));
+  CHECK(hasOption(listed("bmfr", "n,roughness"), "material_guides", "QUELL_LANES=1"));
+  CHECK(listed("svgf", "n,roughness") == listed("svgf", ""));
+  CHECK_THROWS_AS(listed("bmfr", "magic"), Error);
 }
 
 TEST_CASE("kernels writes options and complete sources", "[cli]") {
@@ -56,7 +67,7 @@ TEST_CASE("kernels writes options and complete sources", "[cli]") {
   const char* arguments[] = {"quell",     "kernels", "--methods", "atrous",
                              "--mapping", "wide",    "--json",    file.c_str()};
   REQUIRE(cli::runTool(8, arguments) == 0);
-  const json list = json::parse(io::readFile(file));
+  const json list = readJson(file);
   REQUIRE_FALSE(list.at("kernels").empty());
   for (const json& kernel : list.at("kernels")) {
     CHECK(kernel.at("methods") == json::array({"atrous"}));

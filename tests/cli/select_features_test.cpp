@@ -4,19 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "host/cli/run_tool.hpp"
-#include "host/io/atomic_file.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/tool.hpp"
 
 namespace quell::tests {
 namespace {
 
-const std::string kData = std::string(QUELL_DATA_DIR) + "/colonnade";
-
 int select(std::vector<std::string> arguments) {
-  std::vector<const char*> argv = {"quell", "select-features"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return cli::runTool(static_cast<int>(argv.size()), argv.data());
+  arguments.insert(arguments.begin(), "select-features");
+  return quell(arguments);
 }
 
 }  // namespace
@@ -25,7 +21,7 @@ TEST_CASE("select-features adds what lowers the error the most", "[cli]") {
   const TemporaryDirectory directory;
   const std::string json = directory.path() + "/steps.json";
   REQUIRE(select({"--input", kData, "--pool", "1,n,w,w2", "--count", "7", "--json", json}) == 0);
-  const auto steps = nlohmann::json::parse(io::readFile(json));
+  const auto steps = readJson(json);
   REQUIRE(steps.size() == 3);  // three scalars a step, from 1 to 7
   CHECK(steps[0].at("features") == "1");
   CHECK(steps[0].at("added") == "");
@@ -43,7 +39,7 @@ TEST_CASE("select-features adds what lowers the error the most", "[cli]") {
   const std::string other = steps[1].at("added") == "n" ? "w" : "n";
   const std::string json2 = directory.path() + "/other.json";
   REQUIRE(select({"--input", kData, "--pool", other, "--json", json2}) == 0);
-  const auto otherSteps = nlohmann::json::parse(io::readFile(json2));
+  const auto otherSteps = readJson(json2);
   CHECK(otherSteps.back().at("unbiased_rmse").get<double>() >= steps[1].at("unbiased_rmse").get<double>());
 }
 
@@ -52,7 +48,7 @@ TEST_CASE("select-features takes groups apart where asked to", "[cli]") {
   const std::string json = directory.path() + "/steps.json";
   REQUIRE(select({"--input", kData, "--pool", "n", "--components", "--count", "2", "--json", json, "--solver",
                   "householder"}) == 0);
-  const auto steps = nlohmann::json::parse(io::readFile(json));
+  const auto steps = readJson(json);
   REQUIRE(steps.size() == 2);
   CHECK(steps[1].at("count") == 2);
 }

@@ -5,19 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "host/cli/run_tool.hpp"
 #include "host/core/tuning.hpp"
-#include "host/io/atomic_file.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/tool.hpp"
 
 namespace quell::tests {
 namespace {
-
-int quell(std::vector<std::string> arguments) {
-  std::vector<const char*> argv = {"quell"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return cli::runTool(static_cast<int>(argv.size()), argv.data());
-}
 
 // Hash of a short run whose cache is this directory.
 std::string outputHash(const std::string& cache, const std::string& mapping) {
@@ -26,7 +19,7 @@ std::string outputHash(const std::string& cache, const std::string& mapping) {
   // The sums over a tile are added up in another order by each mapping.
   REQUIRE(quell({"denoise", "--method", "bmfr", "--set", "solver=gram", "--size", "33x17", "--frame-count",
                  "1", "--mapping", mapping, "--cache-directory", cache, "--json", report}) == 0);
-  return nlohmann::json::parse(io::readFile(report)).at("output_hash");
+  return readJson(report).at("output_hash");
 }
 
 }  // namespace

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "host/cli/pareto_set.hpp"
-#include "host/cli/run_tool.hpp"
-#include "host/cli/text_table.hpp"
-#include "host/cli/tune_plan.hpp"
-#include "host/cli/tune_result.hpp"
+#include "host/cli/common/text_table.hpp"
+#include "host/cli/tune/pareto_set.hpp"
+#include "host/cli/tune/plan.hpp"
+#include "host/cli/tune/result.hpp"
 #include "host/io/atomic_file.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/tool.hpp"
 
 namespace quell::tests {
 namespace {
@@ -20,12 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const std::string kData = std::string(QUELL_DATA_DIR) + "/colonnade";
-
 int tune(std::vector<std::string> arguments) {
-  std::vector<const char*> argv = {"quell", "tune"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return cli::runTool(static_cast<int>(argv.size()), argv.data());
+  arguments.insert(arguments.begin(), "tune");
+  return quell(arguments);
 }
 
 // Links frames first..last of data/colonnade into a new directory, with the references among them.
@@ -57,8 +54,8 @@ std::string messageOf(const std::vector<std::string>& directories) {
 // Two sequences; figures of `scale` times some numbers.
 cli::EvaluatedSetting evaluated(double first, double second) {
   return {{"quell", {}},
-          {{4.0 * first, first, 0.05 * first, 0.9, 0.10 * first},
-           {9.0 * second, second, 0.02 * second, 0.8, 0.05 * second}}};
+          {{4.0 * first, first, {0.05 * first, 0.9, 0.10 * first}},
+           {9.0 * second, second, {0.02 * second, 0.8, 0.05 * second}}}};
 }
 
 cli::Evaluation twoSequences(const std::vector<cli::EvaluatedSetting>& settings) {
@@ -73,26 +70,26 @@ cli::Evaluation twoSequences(const std::vector<cli::EvaluatedSetting>& settings)
 TEST_CASE("the Pareto set holds what nothing beats in time, RMSE and FLIP at once", "[cli]") {
   CHECK(cli::paretoSet({}, 0.0).empty());
   const std::vector<cli::Costs> settings = {
-      {1.0, 1.0, 1.0},  // in it: nothing is better in all three
-      {0.5, 1.2, 1.1},  // in it: the quickest
-      {0.6, 1.2, 1.1},  // as good as the one before, but slower
-      {2.0, 0.9, 1.0},  // in it: the least RMSE
-      {2.0, 1.0, 0.9},  // in it: the least FLIP
-      {2.0, 1.1, 1.1},  // beaten by the first
-      {1.0, 1.0, 1.0},  // equal to the first
+      {1.0, {1.0, 1.0}},  // in it: nothing is better in all three
+      {0.5, {1.2, 1.1}},  // in it: the quickest
+      {0.6, {1.2, 1.1}},  // as good as the one before, but slower
+      {2.0, {0.9, 1.0}},  // in it: the least RMSE
+      {2.0, {1.0, 0.9}},  // in it: the least FLIP
+      {2.0, {1.1, 1.1}},  // beaten by the first
+      {1.0, {1.0, 1.0}},  // equal to the first
   };
   const std::vector<bool> expected = {true, true, false, true, true, false, true};
   CHECK(cli::paretoSet(settings, 0.0) == expected);
 }
 
 TEST_CASE("times within the tolerance count as equal", "[cli]") {
-  const cli::Costs worse = {1.00, 1.1, 1.0}, better = {1.01, 1.0, 1.0};
+  const cli::Costs worse = {1.00, {1.1, 1.0}}, better = {1.01, {1.0, 1.0}};
   CHECK_FALSE(cli::dominates(better, worse, 0.0));
   CHECK(cli::dominates(better, worse, 0.02));
   CHECK_FALSE(cli::dominates(worse, better, 0.02));
 
   // Of times in small steps the quickest stays, and what is within its tolerance.
-  const std::vector<cli::Costs> chain = {{1.00, 1, 1}, {1.015, 1, 1}, {1.03, 1, 1}};
+  const std::vector<cli::Costs> chain = {{1.00, {1, 1}}, {1.015, {1, 1}}, {1.03, {1, 1}}};
   CHECK(cli::paretoSet(chain, 0.02) == std::vector<bool>{true, true, false});
 }
 
@@ -103,15 +100,16 @@ TEST_CASE("tune takes geometric means relative to the defaults", "[cli]") {
   CHECK(table.settings[0].frameMs == Approx(6.0));  // of 4 and 9
   for (const auto& [setting, expected] : {std::pair{0, 1.0}, {1, std::sqrt(0.4)}, {2, 1.0}}) {
     CHECK(table.settings[static_cast<std::size_t>(setting)].relative.time == Approx(expected));
-    CHECK(table.settings[static_cast<std::size_t>(setting)].relative.rmse == Approx(expected));
-    CHECK(table.settings[static_cast<std::size_t>(setting)].relative.flip == Approx(expected));
+    const std::vector<double>& errors = table.settings[static_cast<std::size_t>(setting)].relative.errors;
+    REQUIRE(errors.size() == 2);
+    for (const double error : errors) CHECK(error == Approx(expected));
   }
   CHECK_FALSE(table.settings[0].pareto);
   CHECK(table.settings[1].pareto);
   CHECK_FALSE(table.settings[2].pareto);
 
   cli::EvaluatedSetting negative = evaluated(1.0, 1.0);
-  negative.sequences[1].rmse = -0.001;
+  negative.sequences[1].errors[0] = -0.001;
   CHECK_THROWS_WITH(cli::summarize(twoSequences({evaluated(1.0, 1.0), negative}), 0.0),
                     Catch::Contains("two") && Catch::Contains("above 0"));
 }
@@ -146,7 +144,7 @@ TEST_CASE("tune writes the Pareto set, and what became of it on other sequences"
   // Three settings in groups of two, so that the defaults run in each.
   REQUIRE(tune({"--method", "atrous", "--input", tuned, "--confirm", confirmed, "--vary", "iterations=1,3",
                 "--repeat", "1", "--at-once", "2", "--json", file, "--markdown", markdown}) == 0);
-  const json result = json::parse(io::readFile(file));
+  const json result = readJson(file);
   CHECK(result.at("method") == "atrous");
   CHECK(result.at("copy_ms").get<double>() > 0.0);
   const json& sequence = result.at("tuned").at("sequences").at(0);
@@ -156,9 +154,8 @@ TEST_CASE("tune writes the Pareto set, and what became of it on other sequences"
 
   const json& settings = result.at("tuned").at("settings");
   REQUIRE(settings.size() == 3);
-  CHECK(settings[0].at("settings") == json::object());
-  CHECK(settings[1].at("settings").at("iterations") == "1");
-  CHECK(settings[2].at("settings").at("iterations") == "3");
+  const json expected[] = {json::object(), {{"iterations", "1"}}, {{"iterations", "3"}}};
+  for (std::size_t i = 0; i < 3; ++i) CHECK(settings[i].at("settings") == expected[i]);
   CHECK(settings[0].at("relative_rmse") == 1.0);
   CHECK(settings[0].at("relative_time") == 1.0);
   std::size_t best = 1;  // the defaults go along
@@ -177,10 +174,9 @@ TEST_CASE("tune writes the Pareto set, and what became of it on other sequences"
 
   // The figures are those of quell denoise.
   const std::string report = directory.file("denoise.json");
-  const char* denoise[] = {"quell",        "denoise", "--method",    "atrous", "--set",
-                           "iterations=3", "--input", tuned.c_str(), "--json", report.c_str()};
-  REQUIRE(cli::runTool(10, denoise) == 0);
-  const json linear = json::parse(io::readFile(report)).at("errors").at(0).at("linear");
+  REQUIRE(quell({"denoise", "--method", "atrous", "--set", "iterations=3", "--input", tuned, "--json",
+                 report}) == 0);
+  const json linear = readJson(report).at("errors").at(0).at("linear");
   const json& third = settings[2].at("sequences").at(0);
   for (const char* figure : {"unbiased_rmse", "ssim", "flip"})
     CHECK(third.at(figure).get<double>() == Approx(linear.at(figure).get<double>()));
@@ -198,7 +194,7 @@ TEST_CASE("tune goes on without settings that the library refuses", "[cli]") {
   // Householder's solver, the default, has no overlapping windows.
   REQUIRE(tune({"--method", "bmfr", "--input", sequence, "--vary", "windows=overlap", "--repeat", "1",
                 "--json", file}) == 0);
-  const json tuned = json::parse(io::readFile(file)).at("tuned");
+  const json tuned = readJson(file).at("tuned");
   REQUIRE(tuned.at("settings").size() == 1);  // the defaults
   REQUIRE(tuned.at("refused").size() == 1);
   CHECK(tuned.at("refused")[0].at("settings") == "windows=overlap");

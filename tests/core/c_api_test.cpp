@@ -1,133 +1,15 @@
-// The C API: the same denoiser, errors as status and text, structs of other versions.
-#include <quell/quell.h>
-
+// The C API: the same denoiser, settings and devices.
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "tests/support/small_denoiser.hpp"
+#include "tests/core/c_denoiser.hpp"
 
 namespace quell::tests {
 namespace {
 
 constexpr int kLastFrame = 2;
-
-struct DestroyDenoiser {
-  void operator()(quell_denoiser* denoiser) const { quellDestroyDenoiser(denoiser); }
-};
-using DenoiserHandle = std::unique_ptr<quell_denoiser, DestroyDenoiser>;
-
-quell_component_format toC(ComponentFormat format) {
-  if (format == ComponentFormat::UInt32) return QUELL_UINT32;
-  return format == ComponentFormat::Float32 ? QUELL_FLOAT32 : QUELL_FLOAT16;
-}
-
-quell_image_view toC(const ImageView& view) {
-  quell_image_view result = quellPackedImage(view.memory, view.channels, toC(view.format));
-  result.offsetBytes = view.offsetBytes;
-  result.pixelStrideBytes = view.pixelStrideBytes;
-  result.rowPitchBytes = view.rowPitchBytes;
-  return result;
-}
-
-quell_frame toC(const Frame& frame) {
-  quell_frame result;
-  QUELL_INIT(result);
-  result.width = frame.size.width;
-  result.height = frame.size.height;
-  std::memcpy(result.camera.worldToClip, frame.camera.worldToClip.data(), sizeof(Matrix4));
-  std::memcpy(result.camera.worldToClipPrev, frame.camera.worldToClipPrev.data(), sizeof(Matrix4));
-  std::memcpy(result.camera.jitterPx, frame.camera.jitterPx.data(), sizeof(result.camera.jitterPx));
-  std::memcpy(result.camera.jitterPxPrev, frame.camera.jitterPxPrev.data(),
-              sizeof(result.camera.jitterPxPrev));
-  result.radiance = toC(frame.radiance);
-  result.glossyRadiance = toC(frame.glossyRadiance);
-  result.normalWorld = toC(frame.normalWorld);
-  result.positionWorld = toC(frame.positionWorld);
-  result.viewDepth = toC(frame.viewDepth);
-  result.albedo = toC(frame.albedo);
-  result.glossColor = toC(frame.glossColor);
-  result.roughness = toC(frame.roughness);
-  result.f0 = toC(frame.f0);
-  result.emission = toC(frame.emission);
-  result.motion = toC(frame.motion);
-  result.objectId = toC(frame.objectId);
-  return result;
-}
-
-quell_output toC(const Output& output) {
-  quell_output result;
-  QUELL_INIT(result);
-  result.linear = toC(output.linear);
-  result.display = toC(output.display);
-  return result;
-}
-
-/// A device with buffers, and a denoiser of the C API that is prepared for them.
-struct CDenoiser {
-  explicit CDenoiser(const ImageSetup& setup = {}, cl_command_queue_properties properties = 0,
-                     quell_timer_mode timers = QUELL_TIMERS_OFF)
-      : device(properties), buffers(device, setup) {
-    quell_options options;
-    QUELL_INIT(options);
-    options.timers = timers;
-    options.cacheDirectory = "";
-    quell_denoiser* made = nullptr;
-    REQUIRE(quellCreateDenoiser(device.context(), device.device(), device.queue(), nullptr, &options,
-                                &made) == QUELL_SUCCESS);
-    denoiser.reset(made);
-    const quell_frame frame = toC(buffers.frame);
-    const quell_output output = toC(buffers.output);
-    REQUIRE(quellPrepare(denoiser.get(), &frame, &output) == QUELL_SUCCESS);
-  }
-
-  Picture run(int first, int last) {
-    for (int number = first; number <= last; ++number) {
-      buffers.upload(number);
-      const quell_frame frame = toC(buffers.frame);
-      const quell_output output = toC(buffers.output);
-      cl_event done = nullptr;
-      REQUIRE(quellDenoise(denoiser.get(), &frame, &output, 0, nullptr, &done) == QUELL_SUCCESS);
-      Event(done).wait();
-    }
-    return buffers.download();
-  }
-
-  OpenDevice device;
-  FrameBuffers buffers;
-  DenoiserHandle denoiser;
-};
-
-struct SettingsHandle {
-  explicit SettingsHandle(const char* method = nullptr) {
-    REQUIRE(quellCreateSettings(method, &settings) == QUELL_SUCCESS);
-  }
-  SettingsHandle(const SettingsHandle&) = delete;
-  SettingsHandle& operator=(const SettingsHandle&) = delete;
-  ~SettingsHandle() { quellDestroySettings(settings); }
-  std::string text(const char* name) const {
-    const char* value = nullptr;
-    REQUIRE(quellGetSetting(settings, name, &value) == QUELL_SUCCESS);
-    return value;
-  }
-  quell_settings* settings = nullptr;
-};
-
-/// The last error must have this status and argument.
-void checkError(quell_status returned, quell_status status, const std::string& argument) {
-  quell_error error;
-  QUELL_INIT(error);
-  REQUIRE(quellGetLastError(&error) == QUELL_SUCCESS);
-  INFO(error.message);
-  CHECK(returned == status);
-  CHECK(error.status == status);
-  CHECK(error.buffer == argument);
-  CHECK(std::string(error.message) == quellErrorMessage());
-  CHECK_THAT(error.message, Catch::Contains(quellStatusName(status)) && Catch::Contains(error.expected) &&
-                                Catch::Contains(error.got) && Catch::Contains(error.stage));
-}
 
 }  // namespace
 
@@ -165,6 +47,32 @@ TEST_CASE("wait lists work through the C API, and the event is optional", "[core
   c.denoiser.reset();
   c.device.queue.finish();
   CHECK(c.buffers.download() == expected);
+}
+
+TEST_CASE("intermediate buffers come through the C API", "[core][c]") {
+  CDenoiser c({}, 0, QUELL_TIMERS_OFF, "encoded,irradiance");
+  c.run(0, kLastFrame);
+  Options options = testOptions();
+  options.keptBuffers = {"encoded"};
+  SmallDenoiser small({}, options);
+  small.run(0, kLastFrame);
+  const std::vector<float> expected = small.denoiser.readBuffer("encoded").values;
+
+  quell_buffer_content content;
+  QUELL_INIT(content);
+  REQUIRE(quellReadBuffer(c.denoiser.get(), "encoded", nullptr, 0, &content) == QUELL_SUCCESS);
+  CHECK(content.width == small.buffers.frame.size.width);
+  CHECK(content.height == small.buffers.frame.size.height);
+  REQUIRE(content.planes == 3);
+  std::vector<float> values(expected.size());
+  const auto read = [&](const char* name, std::size_t capacity) {
+    return quellReadBuffer(c.denoiser.get(), name, values.data(), capacity, &content);
+  };
+  REQUIRE(read("encoded", values.size()) == QUELL_SUCCESS);
+  CHECK(values == expected);
+  checkError(read("encoded", values.size() - 1), QUELL_INVALID_ARGUMENT, "capacity");
+  checkError(read("nothing", values.size()), QUELL_INVALID_ARGUMENT, "name");
+  CHECK_THAT(quellErrorMessage(), Catch::Contains("irradiance"));
 }
 
 TEST_CASE("memory and times come part by part", "[core][c]") {
@@ -299,158 +207,6 @@ TEST_CASE("devices are listed and chosen through the C API", "[core][c]") {
   CHECK(info.device == chooseDevice().device);
   checkError(quellGetDevice(count, &info), QUELL_INVALID_ARGUMENT, "index");
   checkError(quellChooseDevice("no such device", &info), QUELL_NO_DEVICE, "no such device");
-}
-
-TEST_CASE("NULL is refused by name everywhere", "[core][c]") {
-  const auto refused = [](quell_status status, const char* argument) {
-    checkError(status, QUELL_INVALID_ARGUMENT, argument);
-  };
-  refused(quellCountDevices(nullptr), "count");
-  refused(quellGetDevice(0, nullptr), "info");
-  refused(quellChooseDevice(nullptr, nullptr), "info");
-  refused(quellCountMethods(nullptr), "count");
-  refused(quellGetMethod(0, nullptr), "info");
-  refused(quellGetSettingInfo(nullptr, 0, nullptr), "method");
-  refused(quellGetSettingInfo("svgf", 0, nullptr), "info");
-  refused(quellGetSettingChoice(nullptr, 0, 0, nullptr), "method");
-  refused(quellCreateSettings(nullptr, nullptr), "settings");
-  refused(quellSetSetting(nullptr, "taa", "on"), "settings");
-  refused(quellSetSettingNumber(nullptr, "taa", 1.0), "settings");
-  refused(quellUsePreset(nullptr, "paper"), "settings");
-  refused(quellGetSetting(nullptr, "taa", nullptr), "settings");
-  refused(quellGetSettingNumber(nullptr, "taa", nullptr), "settings");
-  refused(quellGetSettingsMethod(nullptr, nullptr), "settings");
-  refused(quellCreateDenoiser(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr), "denoiser");
-  refused(quellPrepare(nullptr, nullptr, nullptr), "denoiser");
-  refused(quellDenoise(nullptr, nullptr, nullptr, 0, nullptr, nullptr), "denoiser");
-  refused(quellResetHistory(nullptr), "denoiser");
-  refused(quellGetDenoiserSettings(nullptr, nullptr), "denoiser");
-  refused(quellGetMemoryUse(nullptr, nullptr), "denoiser");
-  refused(quellGetBufferUse(nullptr, 0, nullptr), "denoiser");
-  refused(quellGetTimings(nullptr, nullptr), "denoiser");
-  refused(quellGetStageTimings(nullptr, 0, nullptr), "denoiser");
-  refused(quellClearTimings(nullptr), "denoiser");
-  refused(quellGetLastError(nullptr), "error");
-  quellDestroySettings(nullptr);
-  quellDestroyDenoiser(nullptr);
-
-  const SettingsHandle handle;
-  refused(quellSetSetting(handle.settings, nullptr, "on"), "name");
-  refused(quellSetSetting(handle.settings, "taa", nullptr), "value");
-  refused(quellSetSettingNumber(handle.settings, nullptr, 1.0), "name");
-  refused(quellUsePreset(handle.settings, nullptr), "preset");
-  refused(quellGetSetting(handle.settings, nullptr, nullptr), "name");
-  refused(quellGetSetting(handle.settings, "taa", nullptr), "value");
-  refused(quellGetSettingNumber(handle.settings, nullptr, nullptr), "name");
-  refused(quellGetSettingNumber(handle.settings, "taa", nullptr), "value");
-  refused(quellGetSettingsMethod(handle.settings, nullptr), "method");
-
-  OpenDevice device;
-  quell_denoiser* made = nullptr;
-  refused(quellCreateDenoiser(nullptr, device.device(), device.queue(), nullptr, nullptr, &made), "context");
-  REQUIRE(quellCreateDenoiser(device.context(), device.device(), device.queue(), nullptr, nullptr, &made) ==
-          QUELL_SUCCESS);
-  const DenoiserHandle denoiser(made);
-  quell_frame frame;
-  QUELL_INIT(frame);
-  quell_output output;
-  QUELL_INIT(output);
-  refused(quellPrepare(made, nullptr, &output), "frame");
-  refused(quellPrepare(made, &frame, nullptr), "output");
-  refused(quellDenoise(made, &frame, &output, 1, nullptr, nullptr), "waitList");
-  refused(quellGetMemoryUse(made, nullptr), "use");
-  refused(quellGetTimings(made, nullptr), "timings");
-  refused(quellGetDenoiserSettings(made, nullptr), "settings");
-}
-
-TEST_CASE("refusals of the denoiser come as status and text", "[core][c]") {
-  CDenoiser c;
-  quell_frame frame = toC(c.buffers.frame);
-  const quell_output output = toC(c.buffers.output);
-  const auto denoise = [&] { return quellDenoise(c.denoiser.get(), &frame, &output, 0, nullptr, nullptr); };
-  frame.width += 1;
-  CHECK(denoise() == QUELL_NOT_PREPARED);
-  frame = toC(c.buffers.frame);
-  frame.normalWorld.memory = nullptr;
-  checkError(denoise(), QUELL_INVALID_ARGUMENT, "normalWorld");
-  frame = toC(c.buffers.frame);
-  frame.albedo.format = 7;
-  checkError(denoise(), QUELL_INVALID_ARGUMENT, "albedo.format");
-  const OpenDevice other;
-  const cl::Buffer foreign(other.context, CL_MEM_READ_WRITE, 1 << 16);
-  frame = toC(c.buffers.frame);
-  frame.albedo.memory = foreign();
-  checkError(denoise(), QUELL_WRONG_CONTEXT, "albedo");
-
-  quell_options options;
-  QUELL_INIT(options);
-  options.mapping = 9;
-  quell_denoiser* made = nullptr;
-  const auto create = [&] {
-    return quellCreateDenoiser(c.device.context(), c.device.device(), c.device.queue(), nullptr, &options,
-                               &made);
-  };
-  checkError(create(), QUELL_INVALID_ARGUMENT, "options.mapping");
-  QUELL_INIT(options);
-  options.timers = -1;
-  checkError(create(), QUELL_INVALID_ARGUMENT, "options.timers");
-  QUELL_INIT(options);
-  options.fitGroup = 3;
-  checkError(create(), QUELL_INVALID_ARGUMENT, "options.fitGroup");
-  CHECK(made == nullptr);
-}
-
-TEST_CASE("structs of other versions of the header", "[core][c]") {
-  OpenDevice device;
-  quell_denoiser* made = nullptr;
-  const auto create = [&](const quell_options* options) {
-    return quellCreateDenoiser(device.context(), device.device(), device.queue(), nullptr, options, &made);
-  };
-  struct {
-    quell_options known;
-    unsigned char added[32];
-  } newer;
-  std::memset(&newer, 0, sizeof(newer));
-  newer.known.structSize = sizeof(newer);
-  CHECK(create(&newer.known) == QUELL_SUCCESS);
-  quellDestroyDenoiser(made);
-  newer.added[31] = 1;
-  checkError(create(&newer.known), QUELL_INVALID_ARGUMENT, "options.structSize");
-  quell_options forgotten{};
-  checkError(create(&forgotten), QUELL_INVALID_ARGUMENT, "options.structSize");
-
-  struct {
-    quell_method_info known;
-    unsigned char added[32];
-  } result;
-  std::memset(&result, 0x55, sizeof(result));
-  result.known.structSize = sizeof(result);
-  CHECK(quellGetMethod(0, &result.known) == QUELL_SUCCESS);
-  CHECK(result.known.structSize == sizeof(result));
-  for (const unsigned char byte : result.added) CHECK(byte == 0x55);
-  result.known.structSize = 4;
-  checkError(quellGetMethod(0, &result.known), QUELL_INVALID_ARGUMENT, "info.structSize");
-}
-
-TEST_CASE("every error code has a status of the same name", "[core][c]") {
-  for (int code = 0; code <= static_cast<int>(ErrorCode::FileError); ++code)
-    CHECK(std::string(quellStatusName(code + 1)) == toString(static_cast<ErrorCode>(code)));
-  CHECK(std::string(quellStatusName(QUELL_SUCCESS)) == "Success");
-  CHECK(std::string(quellStatusName(QUELL_INTERNAL_ERROR)) == "InternalError");
-  CHECK(std::string(quellStatusName(-5)) == "Unknown");
-}
-
-TEST_CASE("the last error belongs to its thread", "[core][c]") {
-  checkError(quellCountMethods(nullptr), QUELL_INVALID_ARGUMENT, "count");
-  const std::string before = quellErrorMessage();
-  std::thread([] {
-    CHECK(std::string(quellErrorMessage()).empty());
-    quellUsePreset(nullptr, "paper");
-    CHECK_FALSE(std::string(quellErrorMessage()).empty());
-  }).join();
-  std::size_t count = 0;
-  CHECK(quellCountMethods(&count) == QUELL_SUCCESS);
-  CHECK(before == quellErrorMessage());
 }
 
 }  // namespace quell::tests

@@ -124,6 +124,12 @@ TEST_CASE("motion vectors win over the matrices", "[core]") {
   CHECK_FALSE(run(plain, false) == picture);
 }
 
+TEST_CASE("hit distances are taken, and change nothing yet", "[core]") {
+  ImageSetup setup;
+  setup.hitDistance = packedHalf(1);
+  CHECK(SmallDenoiser(setup).run(0, kLastFrame) == SmallDenoiser().run(0, kLastFrame));
+}
+
 TEST_CASE("radiance may come demodulated, without emission", "[core]") {
   const OpenDevice device;
   ImageSetup setup;

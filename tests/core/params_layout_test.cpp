@@ -1,17 +1,29 @@
-// Parameter structs: size and offset of the last member are the same on device and host.
+// Structs that host and kernels share: size and offset of the last member are the same on both.
 #include <catch2/catch.hpp>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
 #include <sstream>
+#include <type_traits>
 
 #include "kernels/accumulate_filtered_params.h"
 #include "kernels/accumulate_noisy_params.h"
 #include "kernels/atrous_params.h"
 #include "kernels/background_params.h"
 #include "kernels/change_params.h"
+#include "kernels/common/edge_stops_params.h"
+#include "kernels/common/frame_image_params.h"
+#include "kernels/common/reprojection_params.h"
+#include "kernels/common/types.h"
+#include "kernels/demodulate_params.h"
 #include "kernels/fit_params.h"
 #include "kernels/gram_params.h"
+#include "kernels/material_guides_params.h"
 #include "kernels/remodulate_params.h"
+#include "kernels/render/scene_params.h"
 #include "kernels/temporal_antialiasing_params.h"
 #include "kernels/variance_params.h"
 #include "tests/support/small_denoiser.hpp"
@@ -19,7 +31,45 @@
 namespace quell::tests {
 namespace {
 
-struct ParamsStruct {
+// Structs that kernels and host share: header, name, last member.
+#define QUELL_SHARED_STRUCTS(X)                                                        \
+  X("common/types.h", ImageViewParams, rowPitch)                                       \
+  X("common/types.h", PlaneParams, stride)                                             \
+  X("common/edge_stops_params.h", EdgeStopParams, inverseRoughness)                    \
+  X("common/frame_image_params.h", FrameImageParams, hitDistance)                      \
+  X("common/frame_image_params.h", OutputImageParams, display)                         \
+  X("common/reprojection_params.h", ReprojectionParams, historyValid)                  \
+  X("accumulate_filtered_params.h", AccumulateFilteredParams, leastWeight)             \
+  X("accumulate_noisy_params.h", AccumulateNoisyParams, antialiasBackground)           \
+  X("atrous_params.h", AtrousParams, iteration)                                        \
+  X("background_params.h", BackgroundParams, finish)                                   \
+  X("change_params.h", ChangeParams, momentsLeastWeight)                               \
+  X("demodulate_params.h", DemodulateParams, images)                                   \
+  X("fit_params.h", FitParams, noiseAmplitude)                                         \
+  X("gram_params.h", GramParams, noiseVariance)                                        \
+  X("material_guides_params.h", MaterialGuidesParams, images)                          \
+  X("remodulate_params.h", RemodulateParams, outputs)                                  \
+  X("temporal_antialiasing_params.h", TemporalAntialiasingParams, antialiasBackground) \
+  X("variance_params.h", VarianceParams, temporalFrames)                               \
+  X("render/scene_params.h", RenderPrimitive, light)                                   \
+  X("render/scene_params.h", RenderTexture, high)                                      \
+  X("render/scene_params.h", RenderMaterial, bumpTexture)                              \
+  X("render/scene_params.h", RenderLight, padding)                                     \
+  X("render/scene_params.h", RenderSky, sunRadiance)                                   \
+  X("render/scene_params.h", RenderBvhNode, count)                                     \
+  X("render/scene_params.h", RenderCamera, clip)                                       \
+  X("render/scene_params.h", RenderParams, padding)
+
+// C++ and OpenCL C lay a struct out alike if it is one of C, has no alignment beyond that of a vector of four, and
+// nothing but that alignment's padding behind the last member.
+#define QUELL_ASSERT_LAYOUT(header, Struct, lastMember)                                                     \
+  static_assert(                                                                                            \
+      std::is_standard_layout_v<Struct> && std::is_trivially_copyable_v<Struct> && alignof(Struct) <= 16 && \
+          sizeof(Struct) - offsetof(Struct, lastMember) - sizeof(Struct::lastMember) < alignof(Struct),     \
+      #Struct " is laid out differently on devices");
+QUELL_SHARED_STRUCTS(QUELL_ASSERT_LAYOUT)
+
+struct SharedStruct {
   std::string header;
   std::string name;
   std::string lastMember;
@@ -27,31 +77,31 @@ struct ParamsStruct {
   std::size_t lastOffset;
 };
 
-#define QUELL_PARAMS(header, Struct, lastMember) \
-  ParamsStruct { header, #Struct, #lastMember, sizeof(Struct), offsetof(Struct, lastMember) }
+std::vector<SharedStruct> sharedStructs() {
+#define QUELL_ROW(header, Struct, lastMember) \
+  {header, #Struct, #lastMember, sizeof(Struct), offsetof(Struct, lastMember)},
+  return {QUELL_SHARED_STRUCTS(QUELL_ROW)};
+}
 
-std::vector<ParamsStruct> paramsStructs() {
-  return {
-      QUELL_PARAMS("common/types.h", ImageViewParams, rowPitch),
-      QUELL_PARAMS("common/types.h", PlaneParams, stride),
-      QUELL_PARAMS("common/reprojection_params.h", ReprojectionParams, historyValid),
-      QUELL_PARAMS("accumulate_noisy_params.h", AccumulateNoisyParams, momentsLeastWeight),
-      QUELL_PARAMS("change_params.h", ChangeParams, momentsLeastWeight),
-      QUELL_PARAMS("variance_params.h", VarianceParams, temporalFrames),
-      QUELL_PARAMS("atrous_params.h", AtrousParams, iteration),
-      QUELL_PARAMS("background_params.h", BackgroundParams, finish),
-      QUELL_PARAMS("fit_params.h", FitParams, noiseAmplitude),
-      QUELL_PARAMS("gram_params.h", GramParams, noiseVariance),
-      QUELL_PARAMS("accumulate_filtered_params.h", AccumulateFilteredParams, leastWeight),
-      QUELL_PARAMS("remodulate_params.h", RemodulateParams, displayOutput),
-      QUELL_PARAMS("temporal_antialiasing_params.h", TemporalAntialiasingParams, newestWeight),
-  };
+// Names of all structs in the headers that kernels and host share.
+std::set<std::string> structsInHeaders() {
+  const std::regex definition("typedef struct (\\w+)");
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(QUELL_KERNEL_DIR)) {
+    const std::string file = entry.path().filename().string();
+    if (file != "types.h" && file.find("_params.h") == std::string::npos) continue;
+    std::ifstream stream(entry.path());
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    for (std::sregex_iterator match(text.begin(), text.end(), definition), end; match != end; ++match)
+      names.insert((*match)[1]);
+  }
+  return names;
 }
 
 // A kernel of one work-item that stores size and offset of each struct.
-std::string sizesKernel(const std::vector<ParamsStruct>& structs) {
+std::string sizesKernel(const std::vector<SharedStruct>& structs) {
   std::ostringstream source;
-  for (const ParamsStruct& params : structs) source << "#include \"" << params.header << "\"\n";
+  for (const SharedStruct& shared : structs) source << "#include \"" << shared.header << "\"\n";
   source << "__kernel void sizes(__global uint* out) {\n";
   for (std::size_t i = 0; i < structs.size(); ++i) {
     const std::string& name = structs[i].name;
@@ -64,11 +114,17 @@ std::string sizesKernel(const std::vector<ParamsStruct>& structs) {
 
 }  // namespace
 
-TEST_CASE("parameter structs have the same layout on device and host", "[core]") {
-  const std::vector<ParamsStruct> structs = paramsStructs();
+TEST_CASE("every struct of the headers that kernels share is checked", "[core]") {
+  std::set<std::string> checked;
+  for (const SharedStruct& shared : sharedStructs()) checked.insert(shared.name);
+  CHECK(checked == structsInHeaders());
+}
+
+TEST_CASE("shared structs have the same layout on device and host", "[core]") {
+  const std::vector<SharedStruct> structs = sharedStructs();
   const OpenDevice device;
   cl::Program program(device.context, sizesKernel(structs));
-  program.build({device.device}, "-cl-std=CL1.2 -I " QUELL_KERNEL_DIR);
+  program.build({device.device}, "-cl-std=CL1.2 -I " QUELL_KERNEL_DIR " -I " QUELL_KERNEL_DIR "/../include");
   const cl::Buffer buffer(device.context, CL_MEM_WRITE_ONLY, structs.size() * 2 * sizeof(cl_uint));
   cl::Kernel kernel(program, "sizes");
   kernel.setArg(0, buffer);

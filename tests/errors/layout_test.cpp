@@ -62,53 +62,37 @@ TEST_CASE("missing and contradicting images are refused", "[errors]") {
 }
 
 TEST_CASE("channel counts out of range are refused", "[errors]") {
-  struct Image {
-    const char* name;
-    ImageView Frame::*input;
-    ImageView Output::*output;
-    int least, most;
-  };
-  const Image images[] = {
-      {"radiance", &Frame::radiance, nullptr, 1, 4},
-      {"normalWorld", &Frame::normalWorld, nullptr, 3, 4},
-      {"positionWorld", &Frame::positionWorld, nullptr, 3, 4},
-      {"viewDepth", &Frame::viewDepth, nullptr, 1, 1},
-      {"albedo", &Frame::albedo, nullptr, 1, 4},
-      {"glossColor", &Frame::glossColor, nullptr, 1, 4},
-      {"emission", &Frame::emission, nullptr, 1, 4},
-      {"glossyRadiance", &Frame::glossyRadiance, nullptr, 1, 4},
-      {"roughness", &Frame::roughness, nullptr, 1, 1},
-      {"f0", &Frame::f0, nullptr, 1, 4},
-      {"motion", &Frame::motion, nullptr, 2, 4},
-      {"objectId", &Frame::objectId, nullptr, 1, 1},
-      {"output.linear", nullptr, &Output::linear, 3, 4},
-      {"output.display", nullptr, &Output::display, 3, 4},
-  };
   std::vector<Spoiled> cases;
-  for (const Image& image : images) {
+  const auto addCases = [&](const std::string& name, const ImageFacts& facts, auto select) {
     for (const int channels : {-1, 1, 2, 5}) {
-      if (channels >= image.least && channels <= image.most) continue;
-      cases.push_back(
-          {invalid(image.name,
-                   std::to_string(image.least) + " to " + std::to_string(image.most) + " channels",
-                   std::to_string(channels)),
-           [image, channels](Frame& frame, Output& output) {
-             (image.input != nullptr ? frame.*image.input : output.*image.output).channels = channels;
-           }});
+      if (channels >= facts.leastChannels && channels <= facts.mostChannels) continue;
+      cases.push_back({invalid(name,
+                               std::to_string(facts.leastChannels) + " to " +
+                                   std::to_string(facts.mostChannels) + " channels",
+                               std::to_string(channels)),
+                       [=](Frame& frame, Output& output) { select(frame, output).channels = channels; }});
     }
-  }
-  CHECK(cases.size() == 14 * 2 + 4 * 1 + 4 * 2);
+  };
+  for (const auto& image : kInputs<Frame>)
+    addCases(image.name, image, [&image](Frame& f, Output&) -> ImageView& { return f.*image.member; });
+  for (const auto& image : kOutputs<Output>)
+    addCases(std::string("output.") + image.name, image,
+             [&image](Frame&, Output& o) -> ImageView& { return o.*image.member; });
+  CHECK(cases.size() >= 2 * (std::size(kInputs<Frame>) + std::size(kOutputs<Output>)));
   checkAll(cases);
 }
 
 TEST_CASE("integers are refused for all but object ids", "[errors]") {
-  const auto integers = [](ImageView Frame::*image) {
-    return [image](Frame& frame, Output&) { (frame.*image).format = ComponentFormat::UInt32; };
-  };
-  const auto output = [](Frame&, Output& o) { o.display.format = ComponentFormat::UInt32; };
-  checkAll({{invalid("radiance", "floats or halves", "32-bit unsigned"), integers(&Frame::radiance)},
-            {invalid("albedo", "floats or halves", "32-bit unsigned"), integers(&Frame::albedo)},
-            {invalid("output.display", "floats or halves", "32-bit unsigned"), output}});
+  std::vector<Spoiled> cases;
+  for (const auto& image : kInputs<Frame>)
+    if (image.member != &Frame::objectId)
+      cases.push_back(
+          {invalid(image.name, "floats or halves", "32-bit unsigned"), [&image](Frame& f, Output&) {
+             f.*image.member = packedImage(nullptr, image.leastChannels, ComponentFormat::UInt32);
+           }});
+  cases.push_back({invalid("output.display", "floats or halves", "32-bit unsigned"),
+                   [](Frame&, Output& o) { o.display.format = ComponentFormat::UInt32; }});
+  checkAll(cases);
 }
 
 TEST_CASE("strides, pitches and offsets that do not fit the components are refused", "[errors]") {

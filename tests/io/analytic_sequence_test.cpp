@@ -1,7 +1,5 @@
 // The built-in sequence keeps the buffer contract, repeats itself exactly, and its noise averages to its
 // reference.
-#include "host/io/analytic_sequence.hpp"
-
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -9,6 +7,9 @@
 #include <limits>
 #include <quell/error.hpp>
 #include <vector>
+
+#include "host/analytic/sequence.hpp"
+#include "tests/support/error_matcher.hpp"
 
 using quell::Error;
 using quell::ErrorCode;
@@ -119,16 +120,6 @@ Moments momentsOfRadiance(const FrameSequence& sequence, std::size_t valueCount)
   }
   for (std::size_t i = 0; i < valueCount; ++i) moments.variance[i] -= moments.mean[i] * moments.mean[i];
   return moments;
-}
-
-void requireInvalid(const AnalyticOptions& options) {
-  try {
-    makeAnalyticSequence(options);
-  } catch (const Error& error) {
-    REQUIRE(error.code() == ErrorCode::InvalidArgument);
-    return;
-  }
-  FAIL("no error");
 }
 
 }  // namespace
@@ -303,5 +294,6 @@ TEST_CASE("analytic sequence: bad options are refused", "[io][errors]") {
   SECTION("negative thread count") { options.threadCount = -1; }
   SECTION("offset is not a number") { options.worldOffset[1] = std::numeric_limits<double>::quiet_NaN(); }
   SECTION("infinite offset") { options.worldOffset[2] = std::numeric_limits<double>::infinity(); }
-  requireInvalid(options);
+  REQUIRE_THROWS_MATCHES(makeAnalyticSequence(options), Error,
+                         quell::tests::failsWith(ErrorCode::InvalidArgument));
 }

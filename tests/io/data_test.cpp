@@ -2,19 +2,19 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 
 #include "host/io/frame_sequence.hpp"
+#include "tests/support/further_sequences.hpp"
 
 using namespace quell::io;
+using quell::tests::furtherSequences;
 
 namespace {
 
-/// How far a position may project from its pixel's centre: 0.014 px were measured when the frames were
+/// How far a position may project from where its pixel was sampled: 0.014 px were measured when the frames were
 /// rendered.
-constexpr double kMaxOffCentrePx = 0.02;
+constexpr double kMaxOffSamplePx = 0.02;
 
 constexpr double kMaxNormalLengthError = 0.002;  // unit length to 0.001, then stored in half
 
@@ -23,8 +23,8 @@ bool isBackground(const FrameData& frame, int x, int y) {
          frame.normalWorld.at(x, y, 2) == 0.0f;
 }
 
-/// Distance between the pixel's centre and where its position projects, in pixels.
-double offCentrePx(const FrameData& frame, int x, int y) {
+/// Distance between where the primary ray went and where its position projects, in pixels.
+double offSamplePx(const FrameData& frame, int x, int y) {
   const Image& position = frame.positionWorld;
   const auto clip = [&](std::size_t r) {
     const double* row = &frame.camera.worldToClip[4 * r];
@@ -33,7 +33,8 @@ double offCentrePx(const FrameData& frame, int x, int y) {
   };
   const double column = (0.5 + 0.5 * clip(0) / clip(3)) * position.width;
   const double row = (0.5 - 0.5 * clip(1) / clip(3)) * position.height;
-  return std::hypot(column - (x + 0.5), row - (y + 0.5));
+  return std::hypot(column - (x + 0.5 + frame.camera.jitterPx[0]),
+                    row - (y + 0.5 + frame.camera.jitterPx[1]));
 }
 
 double normalLength(const FrameData& frame, int x, int y) {
@@ -43,33 +44,23 @@ double normalLength(const FrameData& frame, int x, int y) {
 
 void checkGeometry(const FrameData& frame) {
   const int width = frame.positionWorld.width, height = frame.positionWorld.height;
-  double worstOffCentrePx = 0.0, worstLengthError = 0.0;
+  double worstOffSamplePx = 0.0, worstLengthError = 0.0;
   int surfaces = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       if (isBackground(frame, x, y)) continue;
       ++surfaces;
-      worstOffCentrePx = std::max(worstOffCentrePx, offCentrePx(frame, x, y));
+      worstOffSamplePx = std::max(worstOffSamplePx, offSamplePx(frame, x, y));
       worstLengthError = std::max(worstLengthError, std::abs(normalLength(frame, x, y) - 1.0));
     }
   CHECK(surfaces > width * height / 2);
-  CHECK(worstOffCentrePx < kMaxOffCentrePx);
+  CHECK(worstOffSamplePx < kMaxOffSamplePx);
   CHECK(worstLengthError < kMaxNormalLengthError);
-}
-
-/// Further sequences in the same layout, one directory each; empty where there are none.
-std::string sequencesDirectory() {
-  if (const char* directory = std::getenv("QUELL_SEQUENCES")) return directory;
-#ifdef QUELL_SEQUENCES_DIR
-  return QUELL_SEQUENCES_DIR;
-#else
-  return "";
-#endif
 }
 
 }  // namespace
 
-TEST_CASE("positions of the shipped sequence project to pixel centres") {
+TEST_CASE("positions of the shipped sequence project to where pixels are sampled") {
   const auto sequence = openSequence(std::string(QUELL_DATA_DIR) + "/colonnade");
   REQUIRE(sequence->width() == 240);
   REQUIRE(sequence->height() == 135);
@@ -79,15 +70,9 @@ TEST_CASE("positions of the shipped sequence project to pixel centres") {
   }
 }
 
-TEST_CASE("positions of further sequences project to pixel centres") {
-  const std::string directory = sequencesDirectory();
-  if (!std::filesystem::is_directory(directory)) {
-    WARN("skipped: no directory of further sequences (set QUELL_SEQUENCES)");
-    return;
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-    if (!std::filesystem::exists(entry.path() / "camera.json")) continue;
-    const auto sequence = openSequence(entry.path().string());
+TEST_CASE("positions of further sequences project to where pixels are sampled", "[.sequences]") {
+  for (const std::string& directory : furtherSequences("camera.json")) {
+    const auto sequence = openSequence(directory);
     INFO(sequence->name());
     checkGeometry(sequence->read(sequence->frames().front()));
     checkGeometry(sequence->read(sequence->frames().back()));

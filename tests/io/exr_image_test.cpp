@@ -78,6 +78,17 @@ TEST_CASE("float images survive unchanged, NaN and Inf included") {
   REQUIRE(directory.entryCount() == 1);
 }
 
+TEST_CASE("channels may have any names, as many as the image has") {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("a.exr");
+  const Image image = noiseImage(7, 1, 4, 1);
+  const std::vector<std::string> names = {"plane0", "plane1", "plane2", "plane3"};
+  writeExr(path, image, names, ExrType::Float);
+  REQUIRE(samePixels(readExr(path, names), image));
+  REQUIRE_THROWS_MATCHES(writeExr(path, image, {"plane0"}, ExrType::Float), Error,
+                         failsWith(ErrorCode::InvalidArgument, {"4 channels"}));
+}
+
 TEST_CASE("half images are rounded, clamped to the half range and keep NaN") {
   const TemporaryDirectory directory;
   Image image = noiseImage(16, 11, 3, 2, 0.1f, 1000.0f);

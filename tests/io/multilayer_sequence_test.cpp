@@ -11,7 +11,7 @@
 #include <map>
 #include <memory>
 
-#include "host/io/analytic_sequence.hpp"
+#include "host/analytic/sequence.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/multilayer_camera.hpp"
 #include "tests/support/error_matcher.hpp"

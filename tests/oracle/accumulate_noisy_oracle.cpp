@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/common/motion_params.h"
 #include "tests/oracle/bilinear_oracle.hpp"
 
 namespace quell::tests {
@@ -88,10 +89,12 @@ class PixelOracle {
 
   Place placeAt(double x, double y) {
     const double width = m_inputs.irradiancePrev.width, height = m_inputs.irradiancePrev.height;
-    doubt(x, -1.0, kPixelRounding);
-    doubt(y, -1.0, kPixelRounding);
-    doubt(x, width, kPixelRounding);
-    doubt(y, height, kPixelRounding);
+    // The device looks after it has rounded to a step.
+    constexpr double kRoundedStep = 0.5 / QUELL_SUBPIXEL_STEPS + kPixelRounding;
+    doubt(x, -1.0, kRoundedStep);
+    doubt(y, -1.0, kRoundedStep);
+    doubt(x, width, kRoundedStep);
+    doubt(y, height, kRoundedStep);
     if (!(x > -1.0 && x < width && y > -1.0 && y < height)) return {};
     return {{x, y, 0.0}, true};
   }

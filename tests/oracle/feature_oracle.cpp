@@ -54,7 +54,7 @@ double sizeOf(const std::string& variable, double distance) {
 
 Planes materialsOf(const Planes& guides) {
   Planes materials(guides.size(), QUELL_MATERIAL_PLANES);
-  std::copy(guides.values.begin() + std::ptrdiff_t(guides.index(QUELL_GUIDE_PLANES, 0, 0)),
+  std::copy(guides.values.begin() + std::ptrdiff_t(guides.index(QUELL_GUIDE_PLANES_OF(1), 0, 0)),
             guides.values.end(), materials.values.begin());
   return materials;
 }

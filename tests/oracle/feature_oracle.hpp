@@ -1,5 +1,5 @@
 // Double-precision oracle of the features of a fit: evaluates them by their canonical names, see
-// host/stages/fit_features.hpp. Nothing here comes from what the kernels are compiled with.
+// host/stages/feature_list.hpp. Nothing here comes from what the kernels are compiled with.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 namespace quell::tests {
 
 /// Planes that the inputs of a case hold: guides, then materials.
-constexpr int kGuideAndMaterialPlanes = QUELL_GUIDE_PLANES + QUELL_MATERIAL_PLANES;
+constexpr int kGuideAndMaterialPlanes = QUELL_GUIDE_PLANES_OF(1) + QUELL_MATERIAL_PLANES;
 
 /// The materials among such planes, as the stages get them.
 Planes materialsOf(const Planes& guides);

@@ -1,10 +1,10 @@
 #include "tests/oracle/fit_oracle.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "host/stress/least_squares.hpp"
 #include "kernels/accumulate_noisy_params.h"
 
 namespace quell::tests {
@@ -85,14 +85,13 @@ double solve(const Matrix& matrix, FitRecord& record) {
   if (columns.empty()) return std::numeric_limits<double>::infinity();
   Matrix t(matrix.rows(), Eigen::Index(columns.size()));
   for (std::size_t i = 0; i < columns.size(); ++i) t.col(Eigen::Index(i)) = matrix.col(columns[i]);
-  const Eigen::ColPivHouseholderQR<Matrix> qr(t);
-  const Matrix solution = qr.solve(matrix.rightCols<QUELL_FIT_CHANNELS>());
+  // These columns are independent: none is left out.
+  const stress::LeastSquaresSolution solution =
+      stress::leastSquares(t, matrix.rightCols<QUELL_FIT_CHANNELS>(), std::numeric_limits<double>::epsilon());
   for (std::size_t i = 0; i < columns.size(); ++i)
-    record.coefficients.row(columns[i]) = solution.row(Eigen::Index(i));
-  if (Eigen::Index(columns.size()) < matrix.cols() - QUELL_FIT_CHANNELS)
-    return std::numeric_limits<double>::infinity();
-  const auto diagonal = qr.matrixQR().diagonal().cwiseAbs();
-  return diagonal.maxCoeff() / diagonal.minCoeff();
+    record.coefficients.row(columns[i]) = solution.coefficients.row(Eigen::Index(i));
+  const bool allTaken = Eigen::Index(columns.size()) == matrix.cols() - QUELL_FIT_CHANNELS;
+  return allTaken ? solution.condition : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "host/cli/commands.hpp"
+#include "host/cli/common/commands.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/png_image.hpp"

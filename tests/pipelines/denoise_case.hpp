@@ -9,8 +9,8 @@
 #include <quell/quell.hpp>
 #include <vector>
 
-#include "host/cli/denoise_session.hpp"
-#include "host/io/analytic_sequence.hpp"
+#include "host/analytic/sequence.hpp"
+#include "host/cli/common/denoise_session.hpp"
 #include "host/metrics/display_encoding.hpp"
 
 namespace quell::tests {

@@ -1,15 +1,14 @@
 // Do the windows of the fit show? Without history, the step of the error across window borders is compared
 // with the step elsewhere.
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
 #include "host/io/frame_sequence.hpp"
 #include "host/metrics/display_encoding.hpp"
 #include "host/stages/gram_windows.hpp"
 #include "tests/pipelines/denoise_case.hpp"
+#include "tests/support/further_sequences.hpp"
 
 namespace quell::tests {
 namespace {
@@ -77,28 +76,12 @@ Settings gramOverlap() {
   return settings;
 }
 
-// Directories of further rendered sequences: environment variable QUELL_SEQUENCES, else what the build was told.
-std::vector<std::string> furtherSequences() {
-  const char* chosen = std::getenv("QUELL_SEQUENCES");
-  const std::filesystem::path directory = chosen != nullptr ? chosen : QUELL_SEQUENCES_DIR;
-  std::vector<std::string> found;
-  std::error_code failure;
-  for (const auto& entry : std::filesystem::directory_iterator(directory, failure))
-    if (std::filesystem::exists(entry.path() / "ref_a_color_0015.exr"))
-      found.push_back(entry.path().string());
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 }  // namespace
 
 // Of larger pictures; only the mean over them is held to a bound: a picture's own edges fall on borders by chance.
-TEST_CASE("window borders of the further sequences", "[pipelines]") {
-  const std::vector<std::string> directories = furtherSequences();
-  if (directories.empty()) {
-    WARN("skipped: no directory of further sequences (set QUELL_SEQUENCES)");
-    return;
-  }
+TEST_CASE("window borders of the further sequences", "[pipelines][.sequences]") {
+  const std::vector<std::string> directories = furtherSequences("ref_a_color_0015.exr");
+  if (directories.empty()) return;
   double sum = 0.0;
   for (const std::string& directory : directories) {
     const auto sequence = io::openSequence(directory);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/cli/demo_page.hpp"
+#include "host/cli/demo/page.hpp"
 #include "host/cli/run_tool.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/base64.hpp"

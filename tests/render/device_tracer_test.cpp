@@ -44,11 +44,11 @@ TEST_CASE("images on the device are those in host memory, and the picture is com
   const render::Features features = reader.features(render::makeScene(scene, 1), render::makeScene(scene, 0));
   const render::Light light = reader.light(render::mixSeed(1, 1, render::kNoisyStream), kSamples);
   const render::TracedImages& images = traced.tracer.images();
-  CHECK(traced.read(images.position).pixels == features.position.pixels);
+  CHECK(traced.read(images.positionWorld).pixels == features.positionWorld.pixels);
   CHECK(traced.read(images.diffuse).pixels == light.diffuse.pixels);
-  CHECK(traced.read(images.glossy).pixels == light.glossy.pixels);
+  CHECK(traced.read(images.glossyRadiance).pixels == light.glossy.pixels);
 
-  const io::Image color = traced.read(images.color), expected = render::composeColor(features, light);
+  const io::Image color = traced.read(images.radiance), expected = render::composeColor(features, light);
   double sum = 0.0;
   for (std::size_t i = 0; i < color.pixels.size(); ++i) {
     // A few roundings to single precision, in another order.

@@ -95,7 +95,8 @@ TEST_CASE("hits lie on their shapes, in front of the right pixel", "[render]") {
       if (id == 0) continue;
       const render::Object& object = now.objects()[std::size_t(id - 1)];
       ++seen[std::size_t(id - 1)];
-      const glm::dvec3 position = pixel3(features.position, x, y), normal = pixel3(features.normal, x, y);
+      const glm::dvec3 position = pixel3(features.positionWorld, x, y),
+                       normal = pixel3(features.normalWorld, x, y);
       CAPTURE(id, x, y);
       REQUIRE(std::abs(distanceTo(object, toObject(object.pose, position))) < 2e-4);
       REQUIRE(glm::length(normal) == Approx(1.0).margin(1e-5));
@@ -129,7 +130,7 @@ TEST_CASE("motion vectors are those of the moving points", "[render]") {
       } else {
         const Pose& pose = now.objects()[std::size_t(id - 1)].pose;
         const Pose& posePrev = before.objects()[std::size_t(id - 1)].pose;
-        const glm::dvec3 inObject = toObject(pose, pixel3(features.position, x, y));
+        const glm::dvec3 inObject = toObject(pose, pixel3(features.positionWorld, x, y));
         expected = project(before.camera, posePrev.rotation * inObject + posePrev.position) -
                    glm::dvec2(x + 0.5, y + 0.5);
       }
@@ -198,7 +199,7 @@ TEST_CASE("hit distance is that of the mirrored ray", "[render]") {
         none += distance == QUELL_NO_HIT_DISTANCE ? 1 : 1000000;
         continue;
       }
-      const glm::dvec3 position = pixel3(features.position, x, y);
+      const glm::dvec3 position = pixel3(features.positionWorld, x, y);
       glm::dvec3 direction = glm::normalize(position - scene.camera.eye);
       direction.z = -direction.z;
       const double expected = 3.0 / direction.z;

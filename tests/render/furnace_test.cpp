@@ -24,8 +24,8 @@ render::Scene sphereInFurnace(const render::Material& material) {
 
 /// Cosine between the normal and the direction to the camera.
 double viewCosine(const render::Scene& scene, const render::Features& features, int x, int y) {
-  const glm::dvec3 toViewer = glm::normalize(scene.camera.eye - pixel3(features.position, x, y));
-  return glm::dot(toViewer, pixel3(features.normal, x, y));
+  const glm::dvec3 toViewer = glm::normalize(scene.camera.eye - pixel3(features.positionWorld, x, y));
+  return glm::dot(toViewer, pixel3(features.normalWorld, x, y));
 }
 
 double masking(double cosine, double alpha) {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "host/cli/denoise_session.hpp"
+#include "host/cli/common/denoise_session.hpp"
 #include "host/metrics/display_encoding.hpp"
 #include "host/render/pinhole_camera.hpp"
 #include "host/render/scene_registry.hpp"
@@ -30,19 +30,11 @@ struct Sequence {
 
 io::FrameData frameOf(const render::Features& f, const render::Light& light, const render::Scene& now,
                       const render::Scene& before, int number) {
-  io::FrameData frame;
+  io::FrameData frame = f;
   frame.number = number;
   frame.camera.worldToClip = render::worldToClip(now.camera, kSize.width, kSize.height);
   frame.camera.worldToClipPrev = render::worldToClip(before.camera, kSize.width, kSize.height);
   frame.radiance = render::composeColor(f, light);
-  frame.normalWorld = f.normal;
-  frame.positionWorld = f.position;
-  frame.albedo = f.albedo;
-  frame.glossColor = f.glossColor;
-  frame.emission = f.emission;
-  frame.roughness = f.roughness;
-  frame.motion = f.motion;
-  frame.objectId = f.objectId;
   return frame;
 }
 

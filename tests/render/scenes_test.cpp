@@ -47,7 +47,7 @@ bool isInRange(const io::Image& image, float low, float high) {
 }
 
 bool sameFeatures(const render::Features& a, const render::Features& b) {
-  return a.position.pixels == b.position.pixels && a.normal.pixels == b.normal.pixels &&
+  return a.positionWorld.pixels == b.positionWorld.pixels && a.normalWorld.pixels == b.normalWorld.pixels &&
          a.albedo.pixels == b.albedo.pixels && a.objectId.pixels == b.objectId.pixels;
 }
 
@@ -64,7 +64,7 @@ void checkContract(const Shot& shot) {
   CHECK(isInRange(shot.light.hitDistance, 0.0f, QUELL_MISS_DISTANCE));
   for (int y = 0; y < kSize.height; ++y)
     for (int x = 0; x < kSize.width; ++x) {
-      const glm::dvec3 normal = pixel3(f.normal, x, y), position = pixel3(f.position, x, y);
+      const glm::dvec3 normal = pixel3(f.normalWorld, x, y), position = pixel3(f.positionWorld, x, y);
       if (f.objectId.at(x, y, 0) == 0.0f) {
         REQUIRE(normal == glm::dvec3(0.0));
         REQUIRE(position == glm::dvec3(0.0));
@@ -149,8 +149,8 @@ TEST_CASE("light-switch changes its light and nothing else at the switch", "[ren
   render::PathTracer tracer = makeTracer(kSize);
   const Shot before = shoot(tracer, "light-switch", render::kLightSwitchFrame - 1, 64);
   const Shot after = shoot(tracer, "light-switch", render::kLightSwitchFrame, 64);
-  CHECK(before.features.normal.pixels == after.features.normal.pixels);
-  CHECK(before.features.position.pixels == after.features.position.pixels);
+  CHECK(before.features.normalWorld.pixels == after.features.normalWorld.pixels);
+  CHECK(before.features.positionWorld.pixels == after.features.positionWorld.pixels);
   double change = 0.0;
   for (std::size_t i = 0; i < before.color.pixels.size(); ++i)
     change += std::abs(double(before.color.pixels[i]) - double(after.color.pixels[i]));

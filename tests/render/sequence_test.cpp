@@ -1,4 +1,5 @@
 // quell render as a user runs it: files, resuming, messages.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -65,6 +66,8 @@ TEST_CASE("a rendered directory is a sequence with references", "[render]") {
   const io::FrameData first = sequence->read(1), second = sequence->read(2);
   CHECK(second.camera.worldToClipPrev == first.camera.worldToClip);
   CHECK(second.camera.worldToClip != first.camera.worldToClip);
+  CHECK(second.hitDistance.channels == 1);
+  CHECK(*std::max_element(second.hitDistance.pixels.begin(), second.hitDistance.pixels.end()) > 0.0f);
 }
 
 TEST_CASE("color is what its parts add up to", "[render]") {

@@ -28,25 +28,23 @@ void standStill(AccumulateFilteredInputs& inputs, float length) {
 
 TEST_CASE("accumulate_filtered agrees with its oracle") { checkSizes(make); }
 
+TEST_CASE("accumulate_filtered leaves out background") { checkHoles(make); }
+
 TEST_CASE("accumulate_filtered does not depend on the work-group") { checkWorkGroups(make, {"filtered"}); }
 
 TEST_CASE("accumulate_filtered without history is the fitted frame") {
   AccumulateFilteredCase filtered({});
   for (float& mask : filtered.inputs.reprojectionMask.values) mask = QUELL_PREV_IN_FRAME;
-  filtered.upload();
-  filtered.run();
+  filtered.uploadAndRun();
   CHECK(sameBits(filtered.filtered(), filtered.inputs.fitted));
 }
 
 TEST_CASE("accumulate_filtered keeps a constant") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings()) {
     AccumulateFilteredCase filtered(options);
     std::fill(filtered.inputs.fitted.values.begin(), filtered.inputs.fitted.values.end(), 3.25f);
     filtered.inputs.filteredPrev = filtered.inputs.fitted;
-    filtered.upload();
-    filtered.run();
+    filtered.uploadAndRun();
     for (const float value : filtered.filtered().values)
       CHECK(value == Approx(3.25).epsilon(kAccumulateFilteredTolerance));
   }
@@ -65,8 +63,7 @@ TEST_CASE("accumulate_filtered averages static frames until the weight hits the 
                 filtered.inputs.reprojectionMask.values.end(), 0.0f);
     const double sample = 1.0 + (frame * 7 % 5);
     std::fill(filtered.inputs.fitted.values.begin(), filtered.inputs.fitted.values.end(), float(sample));
-    filtered.upload();
-    filtered.run();
+    filtered.uploadAndRun();
     filtered.inputs.filteredPrev = filtered.filtered();
     mean += (sample - mean) / frame;
     expected = frame <= framesToFloor ? mean : expected + filtered.inputs.leastWeight * (sample - expected);

@@ -20,13 +20,9 @@ TEST_CASE("background agrees with its oracle") { checkSizes(maker()); }
 TEST_CASE("background reads and writes other layouts") { checkLayouts(maker(), {packedHalf(4)}); }
 
 TEST_CASE("background leaves alone what has a surface") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     BackgroundCase background(options);
-    background.upload();
-    background.run();
+    background.uploadAndRun();
     const Planes encoded = background.encoded(), antialiased = background.antialiased();
     std::size_t touched = 0;
     forEachPixel(options.size, [&](int x, int y) {
@@ -38,10 +34,7 @@ TEST_CASE("background leaves alone what has a surface") {
 }
 
 TEST_CASE("background is finite for any input") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     BackgroundCase background(options);
     const std::vector<float> values = adversarialValues();
     Random random(3);

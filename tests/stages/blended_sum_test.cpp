@@ -53,6 +53,8 @@ TEST_CASE("blended_sum agrees with its oracle at all offsets of the grid") {
   }
 }
 
+TEST_CASE("blended_sum leaves out background") { checkHoles(maker(kOverlap8)); }
+
 TEST_CASE("blended_sum does not depend on the work-group") {
   for (const GramWindows& windows : kOverlaps) {
     INFO(describe(windows));
@@ -68,8 +70,7 @@ TEST_CASE("blended_sum of the same fit everywhere is that fit") {
       record.coefficients.row(0).setConstant(3.25);
       blended.inputs.records = packRecords(
           std::vector<FitRecord>(blended.inputs.records.values.size() / QUELL_FIT_RECORD, record));
-      blended.upload();
-      blended.run();
+      blended.uploadAndRun();
       const Planes fitted = blended.fitted();
       Comparison comparison;
       forEachPixel(fitted.size(), [&](int x, int y) {
@@ -88,16 +89,14 @@ TEST_CASE("blended_sum is 0 on background and where a fit broke") {
   BlendedSumCase blended({});
   std::fill(blended.inputs.records.values.begin(), blended.inputs.records.values.end(),
             std::numeric_limits<float>::quiet_NaN());
-  blended.upload();
-  blended.run();
+  blended.uploadAndRun();
   for (const float value : blended.fitted().values) CHECK(value == 0.0f);
 }
 
 TEST_CASE("blended_sum clamps to non-negative, finite halves") {
   BlendedSumCase blended({});
   for (float& value : blended.inputs.records.values) value *= 1e30f;
-  blended.upload();
-  blended.run();
+  blended.uploadAndRun();
   for (const float value : blended.fitted().values) {
     CHECK(value >= 0.0f);
     CHECK(value <= QUELL_MAX_RADIANCE);

@@ -17,11 +17,8 @@ CaseMaker maker(int signals) {
   return [signals](const CaseOptions& options) { return std::make_unique<ChangeSumsCase>(options, signals); };
 }
 
-void fill(Planes& planes, float value) { std::fill(planes.values.begin(), planes.values.end(), value); }
-
 Planes runSums(ChangeSumsCase& sums) {
-  sums.upload();
-  sums.run();
+  sums.uploadAndRun();
   return sums.sums();
 }
 

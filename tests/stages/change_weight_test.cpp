@@ -29,8 +29,7 @@ void setTiles(ChangeWeightCase& change, double count, double mean, double spread
 }
 
 Planes runWeights(ChangeWeightCase& change) {
-  change.upload();
-  change.run();
+  change.uploadAndRun();
   return change.weights();
 }
 

@@ -28,6 +28,11 @@ TEST_CASE("demodulate divides by F_beta as its oracle does") {
   checkLayouts(maker({kFBetaMaterial, true, true}), {packedHalf(4)});
 }
 
+TEST_CASE("demodulate finds background") {
+  checkHoles(maker(kEverything));
+  checkHoles(maker({kFBetaMaterial, true, true}));
+}
+
 TEST_CASE("demodulate reads two signals of half precision") {
   checkLayouts(maker(kEverything), {packedHalf(4)});
 }
@@ -37,13 +42,9 @@ TEST_CASE("demodulate does not depend on the work-group") {
 }
 
 TEST_CASE("demodulate gives finite values for any input, and bad pixels do not leak") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     DemodulateCase demodulate(options, kEverything);
-    demodulate.upload();
-    demodulate.run();
+    demodulate.uploadAndRun();
     const Planes irradiance = demodulate.irradiance(), guides = demodulate.guides();
     BasicPlanes<char> spoiled(options.size, 1);
     auto& inputs = demodulate.inputs;

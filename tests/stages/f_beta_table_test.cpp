@@ -1,5 +1,5 @@
 // The F_beta table against a double-precision quadrature, its limits, and its disk cache.
-#include "host/core/f_beta_table.hpp"
+#include "host/stages/f_beta_table.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -78,8 +78,7 @@ TEST_CASE("fit without noise leaves dependent features of a list out") {
     // The differences and the depth are combinations of the positions.
     const CaseOptions options = makeOptions("w,w-w,depth", {61, 43}, mapping);
     FitCase fit(options, FeatureStorage::Float, 0.0);
-    fit.upload();
-    fit.run();
+    fit.uploadAndRun();
     CHECK(allFinite(fit.records()));
   }
 }
@@ -124,8 +123,7 @@ TEST_CASE("a list gives the same bits whatever the work-group and the number of 
     CaseOptions options = makeOptions(kLists[4], {61, 43}, mapping);
     options.fitGroup = group;
     FitCase fit(options);
-    fit.upload();
-    fit.run();
+    fit.uploadAndRun();
     if (first.values.empty()) first = fit.records();
     INFO(describe(options));
     CHECK(sameBits(first, fit.records()));

@@ -29,8 +29,7 @@ const std::vector<std::pair<Mapping, int>>& fitVariants() {
 // Largest error of the noise-free predictions, irradiance being the same everywhere.
 double constantError(FitCase& fit, float value) {
   std::fill(fit.inputs.irradiance.values.begin(), fit.inputs.irradiance.values.end(), value);
-  fit.upload();
-  fit.run();
+  fit.uploadAndRun();
   const Planes records = fit.records();
   double largest = 0.0;
   for (int block = 0; block < blockCount(fit.size()); ++block) {
@@ -76,6 +75,13 @@ TEST_CASE("fit agrees with its oracle in shared blocks") {
   }
 }
 
+TEST_CASE("fit leaves out blocks of background") {
+  static constexpr double kNoise = 0.1;  // keeps blocks of a few pixels well-conditioned
+  checkHoles([](const CaseOptions& options) {
+    return std::make_unique<FitCase>(options, FeatureStorage::Float, kNoise);
+  });
+}
+
 TEST_CASE("fit with half storage agrees with its oracle") {
   for (const auto& [mapping, group] : {std::pair(Mapping::Wide, 1), std::pair(Mapping::Narrow, 256)}) {
     const CaseOptions options = makeOptions({77, 43}, mapping, group);
@@ -88,8 +94,7 @@ TEST_CASE("fit finds the oracle's coefficients where the problem is well-conditi
   for (const auto& [mapping, group] : fitVariants()) {
     FitCase fit(makeOptions({77, 43}, mapping, group));
     fit.useRandomFeatures(5);
-    fit.upload();
-    fit.run();
+    fit.uploadAndRun();
     const Comparison comparison = fit.compareCoefficients();
     INFO(comparison.worst());
     CHECK(comparison.compared() > 0);
@@ -113,8 +118,9 @@ TEST_CASE("fit without noise leaves dependent features out") {
     FitCase fit(options, FeatureStorage::Float, 0.0);
     // A floor: the normal is constant, the height too.
     forEachPixel(options.size, [&](int x, int y) {
-      const float guides[QUELL_GUIDE_PLANES] = {float(x) * 0.1f, -2.0f, -5.0f - float(y) * 0.1f, 0, 1, 0, 1};
-      for (int plane = 0; plane < QUELL_GUIDE_PLANES; ++plane)
+      const float guides[QUELL_GUIDE_PLANES_OF(1)] = {
+          float(x) * 0.1f, -2.0f, -5.0f - float(y) * 0.1f, 0, 1, 0, 1};
+      for (int plane = 0; plane < QUELL_GUIDE_PLANES_OF(1); ++plane)
         fit.inputs.guides.at(plane, x, y) = guides[plane];
     });
     checkAgreement(fit, options);
@@ -158,8 +164,7 @@ TEST_CASE("fit far from the camera agrees with its oracle") {
 TEST_CASE("fit stays finite up to the largest position", "[stages]") {
   FitCase fit(makeOptions({77, 43}, Mapping::Wide, 1));
   useDistantSurface(fit.inputs.guides, 0.1f * QUELL_MAX_POSITION);
-  fit.upload();
-  fit.run();
+  fit.uploadAndRun();
   CHECK(allFinite(fit.records()));
 }
 
@@ -169,8 +174,7 @@ TEST_CASE("fit of the brightest noise stays finite with either storage") {
     Random random(6);
     for (float& value : fit.inputs.irradiance.values)
       value = random.uniform() < 0.5 ? 0.0f : QUELL_MAX_RADIANCE;
-    fit.upload();
-    fit.run();
+    fit.uploadAndRun();
     CHECK(allFinite(fit.records()));
   }
 }
@@ -183,8 +187,7 @@ TEST_CASE("fit gives the same bits whatever the work-group and the number of lan
   for (const auto& [mapping, group] : variants) {
     const CaseOptions options = makeOptions({77, 43}, mapping, group);
     FitCase fit(options);
-    fit.upload();
-    fit.run();
+    fit.uploadAndRun();
     if (first.values.empty()) first = fit.records();
     INFO(describe(options));
     CHECK(sameBits(first, fit.records()));

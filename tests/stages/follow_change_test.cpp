@@ -16,11 +16,8 @@ CaseMaker maker(int signals) {
       [signals](const CaseOptions& options) { return std::make_unique<FollowChangeCase>(options, signals); };
 }
 
-void fill(Planes& planes, float value) { std::fill(planes.values.begin(), planes.values.end(), value); }
-
 FollowChangeOutputs runFollow(FollowChangeCase& follow) {
-  follow.upload();
-  follow.run();
+  follow.uploadAndRun();
   return follow.outputs();
 }
 
@@ -35,6 +32,8 @@ void checkUntouched(const FollowChangeCase& follow, const FollowChangeOutputs& o
 TEST_CASE("follow_change agrees with its oracle") { checkLayouts(maker(1), {packed(3)}); }
 
 TEST_CASE("follow_change of two signals agrees with its oracle") { checkSizes(maker(2)); }
+
+TEST_CASE("follow_change leaves out background") { checkHoles(maker(2)); }
 
 TEST_CASE("follow_change does not depend on the work-group nor on the number of lanes") {
   checkWorkGroups(maker(2), {"irradiance", "moments", "historyLength"});
@@ -60,10 +59,7 @@ TEST_CASE("follow_change touches nothing where the newest sample has its weight 
 }
 
 TEST_CASE("follow_change next to a change touches nothing that the change does not reach") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     FollowChangeCase follow(options);
     const FollowChangeExact exact = followChangeOracle(follow.inputs);
     const FollowChangeOutputs outputs = runFollow(follow);
@@ -80,9 +76,7 @@ TEST_CASE("follow_change next to a change touches nothing that the change does n
 }
 
 TEST_CASE("follow_change with all weight on the newest sample gives it, and forgets the history") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings()) {
     FollowChangeCase follow(options);
     fill(follow.inputs.weights, 1.0f);
     fill(follow.inputs.historyLength, 7.0f);
@@ -100,10 +94,8 @@ TEST_CASE("follow_change with all weight on the newest sample gives it, and forg
 }
 
 TEST_CASE("follow_change shortens the history to what it is worth and never lengthens it") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+  for (const CaseOptions& options : bothMappings()) {
     for (const float weight : {0.16f, 0.21f, 0.3f, 0.45f, 0.6f, 0.9f}) {
-      CaseOptions options;
-      options.mapping = mapping;
       FollowChangeCase follow(options);
       fill(follow.inputs.weights, weight);
       const FollowChangeOutputs outputs = runFollow(follow);
@@ -127,10 +119,7 @@ TEST_CASE("follow_change leaves the light of pixels without a newest sample alon
 
 TEST_CASE("follow_change of the most extreme light stays between history and newest sample") {
   const float extremes[] = {0.0f, 1e-45f, 1e-38f, 1e-20f, 65504.0f};
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     FollowChangeCase follow(options);
     Random random(9);
     for (Planes* planes : {&follow.inputs.irradiance, &follow.inputs.newestIrradiance})
@@ -153,10 +142,7 @@ TEST_CASE("follow_change of the most extreme light stays between history and new
 }
 
 TEST_CASE("follow_change leaves pixels without a sample alone") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     FollowChangeCase follow(options, 2);
     for (int plane = 0; plane < follow.inputs.newestIrradiance.count; ++plane)
       for (int y = 0; y < options.size.height; ++y)

@@ -48,11 +48,9 @@ void checkPixels(GramSolveCase& solve) {
 void runBoth(GramSolveCase& solve, const CaseOptions& options, const GramWindows& windows) {
   GramSumsCase sums(options, windows);
   sums.inputs = solve.inputs;
-  sums.upload();
-  sums.run();
+  sums.uploadAndRun();
   solve.tiles = sums.tiles();
-  solve.upload();
-  solve.run();
+  solve.uploadAndRun();
 }
 
 // Records that predict `value` everywhere.
@@ -105,8 +103,7 @@ void keepPixels(Planes& guides, int count, unsigned seed) {
 
 Planes recordsOf(const CaseOptions& options, const GramWindows& windows) {
   GramSolveCase solve(options, windows);
-  solve.upload();
-  solve.run();
+  solve.uploadAndRun();
   return solve.records();
 }
 
@@ -154,8 +151,7 @@ TEST_CASE("gram_solve finds the oracle's coefficients where the problem is well-
       for (const double noise : {0.0, kNoise}) {
         GramSolveCase solve(makeOptions({77, 43}, mapping), windows, noise);
         useRandomFeatures(solve.inputs.guides, 5);
-        solve.upload();
-        solve.run();
+        solve.uploadAndRun();
         const Comparison comparison = solve.compareCoefficients();
         INFO(describe(windows) << ", noise " << noise << ": " << comparison.worst());
         CHECK(comparison.compared() > 0);
@@ -236,8 +232,7 @@ TEST_CASE("gram_sums and gram_solve agree with the stage fit without noise") {
   FitCase fit(options, FeatureStorage::Float, 0.0);
   fit.inputs.irradiance = solve.inputs.irradiance;
   fit.inputs.guides = solve.inputs.guides;
-  fit.upload();
-  fit.run();
+  fit.uploadAndRun();
   const Comparison comparison = solve.compareRecords(fit.records());
   INFO(comparison.worst());
   CHECK(comparison.compared() > 0);

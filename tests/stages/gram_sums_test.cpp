@@ -26,8 +26,7 @@ std::string describe(const GramWindows& windows) {
 
 Planes tilesOf(const CaseOptions& options, const GramWindows& windows) {
   GramSumsCase sums(options, windows);
-  sums.upload();
-  sums.run();
+  sums.uploadAndRun();
   return sums.tiles();
 }
 
@@ -66,6 +65,11 @@ TEST_CASE("gram_sums agrees with its oracle at all offsets of the grid") {
       checkAgreement(sums, options);
     }
   }
+}
+
+TEST_CASE("gram_sums leaves out tiles of background") {
+  for (const GramWindows& windows : kAllWindows)
+    checkHoles([&](const CaseOptions& options) { return std::make_unique<GramSumsCase>(options, windows); });
 }
 
 TEST_CASE("gram_sums of pixels without weight are 0, whatever those hold") {

@@ -24,9 +24,7 @@ TEST_CASE("material_guides reads every layout") {
 }
 
 TEST_CASE("material_guides takes what is not finite for 0") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings()) {
     MaterialGuidesCase guides(options);
     spoil(guides.inputs.albedo, 3, 5);
     spoil(guides.inputs.roughness, 4, 5);

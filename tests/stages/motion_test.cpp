@@ -70,8 +70,7 @@ void rest(AccumulateNoisyCase& noisy) {
 }
 
 std::size_t acceptedAfter(AccumulateNoisyCase& noisy) {
-  noisy.upload();
-  noisy.run();
+  noisy.uploadAndRun();
   return accepted(noisy);
 }
 
@@ -97,23 +96,18 @@ TEST_CASE("accumulate_noisy with motion vectors does not depend on the work-grou
 }
 
 TEST_CASE("accumulate_noisy finds by motion vectors what it finds by matrices, jitter included") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {117, 80};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({117, 80})) {
     AccumulateNoisyCase byMatrices(options, {kPlainMaterial}), byMotion(options, kMotion);
     seeScene(byMatrices, kNow, kBefore);
     seeScene(byMotion, kNow, kBefore);
-    byMatrices.upload();
-    byMatrices.run();
+    byMatrices.uploadAndRun();
     const Planes expected = byMatrices.outputs().pixelPrev;
     // The vectors are those of the surface points: without jitter.
     forEachPixel(options.size, [&](int x, int y) {
       byMotion.inputs.motion.at(x, y, 0) = expected.at(0, x, y) - float(x) - 0.65f;
       byMotion.inputs.motion.at(x, y, 1) = expected.at(1, x, y) - float(y) + 0.4f;
     });
-    byMotion.upload();
-    byMotion.run();
+    byMotion.uploadAndRun();
     const auto found = byMotion.outputs(), wanted = byMatrices.outputs();
     std::size_t elsewhere = 0, inside = 0;
     forEachPixel(options.size, [&](int x, int y) {
@@ -134,8 +128,7 @@ TEST_CASE("accumulate_noisy under jitter moves what stands still by the step of 
     options.size = {117, 80};
     AccumulateNoisyCase noisy(options, {kPlainMaterial, viewDepth});
     seeScene(noisy, kNow, withJitter({}, -0.25, 0.1));
-    noisy.upload();
-    noisy.run();
+    noisy.uploadAndRun();
     const auto outputs = noisy.outputs();
     const Planes expected = renderScene(kNow, options.size).guides;
     std::size_t surfaces = 0;
@@ -206,10 +199,7 @@ TEST_CASE("a surface that turns keeps its history while it turns slowly") {
 
 TEST_CASE("accumulate_noisy drops history along motion vectors that are broken or lead far away") {
   const float kInfinity = std::numeric_limits<float>::infinity();
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     AccumulateNoisyCase noisy(options, kMotion);
     rest(noisy);
     CHECK(acceptedAfter(noisy) > 1000);

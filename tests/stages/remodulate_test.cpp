@@ -28,8 +28,7 @@ std::vector<float> encode(const std::vector<float>& values, Mapping mapping) {
   std::fill(remodulate.inputs.guides.values.begin(), remodulate.inputs.guides.values.end(), 0.0f);
   for (int x = 0; x < options.size.width; ++x)
     for (int c = 0; c < 3; ++c) remodulate.inputs.material.radiance.at(x, 0, c) = values[std::size_t(x)];
-  remodulate.upload();
-  remodulate.run();
+  remodulate.uploadAndRun();
   const Planes encoded = remodulate.encoded();
   return {encoded.values.begin(), encoded.values.begin() + options.size.width};
 }
@@ -63,6 +62,11 @@ TEST_CASE("remodulate agrees with its oracle whichever images there are") {
 
 TEST_CASE("remodulate reads and writes every layout") {
   checkLayouts(maker(kFullMaterial, true), outputLayouts());
+}
+
+TEST_CASE("remodulate leaves out background") {
+  checkHoles(maker(kTwoSignals));
+  checkHoles(maker(kFullMaterial, true));
 }
 
 TEST_CASE("remodulate does not depend on the work-group") {
@@ -109,12 +113,10 @@ TEST_CASE("demodulate then remodulate is the identity to one unit in the last pl
       material.radiance = asStored(material.radiance, makeView(options.layout, options.size));
       for (std::size_t i = 0; i < material.radiance.pixels.size(); ++i)
         material.emission.pixels[i] = 0.5f * material.radiance.pixels[i];
-      demodulate.upload();
-      demodulate.run();
+      demodulate.uploadAndRun();
       RemodulateCase remodulate(options, variant);
       remodulate.inputs = {material, demodulate.irradiance(), demodulate.guides()};
-      remodulate.upload();
-      remodulate.run();
+      remodulate.uploadAndRun();
       const io::Image result = remodulate.harness().output(&Output::linear);
       double worst = 0.0;
       for (std::size_t i = 0; i < result.pixels.size(); ++i) {
@@ -132,8 +134,7 @@ TEST_CASE("remodulate passes background and black materials through") {
   auto& material = remodulate.inputs.material;
   for (float& value : material.albedo.pixels) value = 0.0f;
   for (float& value : material.glossColor.pixels) value = 0.0f;
-  remodulate.upload();
-  remodulate.run();
+  remodulate.uploadAndRun();
   const Planes linear = remodulate.linear();
   forEachPixel(remodulate.size(), [&](int x, int y) {
     for (int c = 0; c < 3; ++c) {
@@ -144,13 +145,9 @@ TEST_CASE("remodulate passes background and black materials through") {
 }
 
 TEST_CASE("remodulate gives finite values for any input, and bad pixels do not leak") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     RemodulateCase remodulate(options, kTwoSignals);
-    remodulate.upload();
-    remodulate.run();
+    remodulate.uploadAndRun();
     const Planes clean = remodulate.linear();
     BasicPlanes<char> spoiled(options.size, 1);
     auto& material = remodulate.inputs.material;

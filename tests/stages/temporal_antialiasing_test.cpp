@@ -32,18 +32,17 @@ TEST_CASE("temporal_antialiasing writes every layout of the display image") {
   checkLayouts(make, outputLayouts());
 }
 
+TEST_CASE("temporal_antialiasing leaves out background") { checkHoles(make); }
+
 TEST_CASE("temporal_antialiasing does not depend on the work-group") {
   checkWorkGroups(make, {"antialiased"});
 }
 
 TEST_CASE("temporal_antialiasing of a constant is constant whatever the history") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings()) {
     TemporalAntialiasingCase taa(options);
     taa.inputs.encoded = constantColor(options.size, 0.25f, 0.5f, 0.875f);
-    taa.upload();
-    taa.run();
+    taa.uploadAndRun();
     const Planes result = taa.antialiased();
     forEachPixel(options.size, [&](int x, int y) {
       CHECK(result.at(0, x, y) == Approx(0.25).margin(kTemporalAntialiasingTolerance));
@@ -57,8 +56,7 @@ TEST_CASE("temporal_antialiasing keeps the newest colour where there was no fram
   CaseOptions options;
   TemporalAntialiasingCase taa(options);
   for (float& mask : taa.inputs.reprojectionMask.values) mask = float(int(mask) & ~QUELL_PREV_IN_FRAME);
-  taa.upload();
-  taa.run();
+  taa.uploadAndRun();
   CHECK(sameBits(taa.antialiased(), taa.inputs.encoded));
 }
 
@@ -75,8 +73,7 @@ TEST_CASE("temporal_antialiasing without motion blends by the weight of the newe
       taa.inputs.antialiasedPrev.at(c, x, y) = 0.5f;
     }
   });
-  taa.upload();
-  taa.run();
+  taa.uploadAndRun();
   const Planes result = taa.antialiased();
   forEachPixel(options.size, [&](int x, int y) {
     const double expected = 0.2 * ((x + y) % 2) + 0.8 * 0.5;

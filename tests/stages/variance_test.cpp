@@ -19,15 +19,12 @@ CaseMaker maker(int signals) {
   return [signals](const CaseOptions& options) { return std::make_unique<VarianceCase>(options, signals); };
 }
 
-void fill(Planes& planes, float value) { std::fill(planes.values.begin(), planes.values.end(), value); }
-
 bool hasSample(const VarianceCase& variance, int x, int y) {
   return variance.inputs.guides.guides.at(QUELL_GUIDE_WEIGHT, x, y) > 0.0f;
 }
 
 Planes runVariance(VarianceCase& variance) {
-  variance.upload();
-  variance.run();
+  variance.uploadAndRun();
   return variance.variance();
 }
 
@@ -37,13 +34,17 @@ TEST_CASE("variance agrees with its oracle") { checkSizes(maker(1)); }
 
 TEST_CASE("variance of two signals agrees with its oracle") { checkLayouts(maker(2), {packed(3)}); }
 
+TEST_CASE("variance leaves out background") {
+  checkHoles(maker(2));
+  checkHoles([](const CaseOptions& options) {
+    return std::make_unique<VarianceCase>(options, 1, VarianceOf::Mean);
+  });
+}
+
 TEST_CASE("variance does not depend on the work-group") { checkWorkGroups(maker(2), {"variance"}); }
 
 TEST_CASE("variance of two signals equals two runs of one") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     VarianceCase both(options, 2);
     const Planes expected = runVariance(both);
     for (const int signal : {0, 1}) {
@@ -61,9 +62,7 @@ TEST_CASE("variance of two signals equals two runs of one") {
 }
 
 TEST_CASE("variance of a constant is 0 whatever the history") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings()) {
     VarianceCase variance(options);
     constexpr float kLuminance = 3.3f;
     fill(variance.inputs.moments, kLuminance);
@@ -76,9 +75,7 @@ TEST_CASE("variance of a constant is 0 whatever the history") {
 }
 
 TEST_CASE("variance over a long history is the second moment minus the squared first") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings()) {
     VarianceCase variance(options);
     fill(variance.inputs.historyLength, kLongHistory);
     const Planes result = runVariance(variance);
@@ -106,10 +103,7 @@ TEST_CASE("variance is raised the more the shorter the history") {
 }
 
 TEST_CASE("variance of background is 0 and its moments reach no surface") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     VarianceCase variance(options);
     Planes results[2];
     for (const int run : {0, 1}) {
@@ -135,10 +129,7 @@ TEST_CASE("variance of background is 0 and its moments reach no surface") {
 }
 
 TEST_CASE("variance is finite and not negative for the most extreme moments, depths and normals") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.size = {61, 40};
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings({61, 40})) {
     VarianceCase variance(options);
     Random random(3);
     const auto extreme = [&] { return kExtremes[random.integer(0, int(std::size(kExtremes)) - 1)]; };
@@ -170,9 +161,7 @@ TEST_CASE("variance of the mean agrees with its oracle") {
 }
 
 TEST_CASE("variance of the mean is that of the samples over their number") {
-  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    CaseOptions options;
-    options.mapping = mapping;
+  for (const CaseOptions& options : bothMappings()) {
     VarianceCase samples(options, 2);
     VarianceCase mean(options, 2, VarianceOf::Mean);
     const Planes variance = runVariance(samples);

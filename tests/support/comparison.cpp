@@ -10,6 +10,7 @@ namespace quell::tests {
 
 void Comparison::include(const std::string& what, int plane, int x, int y, double device, double exact,
                          double scale) {
+  if (m_ignored != nullptr && x >= 0 && m_ignored->at(0, x, y)) return;
   ++m_compared;
   double error = std::abs(device - exact) / std::max(scale, std::abs(exact));
   if (!std::isfinite(error)) error = std::numeric_limits<double>::infinity();
@@ -31,10 +32,11 @@ void Comparison::include(const Comparison& other) {
 }
 
 void comparePixels(Comparison& comparison, const std::string& what, const Planes& device,
-                   const ExactPlanes& exact, const BasicPlanes<char>* excluded, const ExactPlanes* scales) {
+                   const ExactPlanes& exact, const BasicPlanes<char>* excluded, const ExactPlanes* scales,
+                   double unit) {
   forEachPixel(exact.size(), [&](int x, int y) {
     if (excluded != nullptr && excluded->at(0, x, y)) return;
-    double scale = scales != nullptr ? std::max(1.0, scales->at(0, x, y)) : 1.0;
+    double scale = scales != nullptr ? std::max(unit, scales->at(0, x, y)) : unit;
     for (int plane = 0; plane < exact.count; ++plane)
       scale = std::max(scale, std::abs(exact.at(plane, x, y)));
     for (int plane = 0; plane < exact.count; ++plane)

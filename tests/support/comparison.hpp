@@ -13,6 +13,10 @@ namespace quell::tests {
 /// that.
 class Comparison {
  public:
+  /// Pixels marked in `ignored` (1 plane) do not count.
+  explicit Comparison(const BasicPlanes<char>* ignored = nullptr) : m_ignored(ignored) {}
+
+  /// x < 0: of no pixel.
   void include(const std::string& what, int plane, int x, int y, double device, double exact,
                double scale = 1.0);
   /// Takes over the figures of another comparison.
@@ -27,17 +31,19 @@ class Comparison {
   const std::string& worst() const { return m_worst; }
 
  private:
+  const BasicPlanes<char>* m_ignored;
   double m_largestError = 0.0;
   std::size_t m_compared = 0;
   std::size_t m_excluded = 0;
   std::string m_worst = "no error";
 };
 
-/// Compares all values, the scale of a pixel being the largest magnitude of its components, at least 1 and at
-/// least what `scales` says (1 plane).
+/// Compares all values, the scale of a pixel being the largest magnitude of its components, at least `unit` and at
+/// least what `scales` says (1 plane). The unit is the size of what the values were made from, neighbours included: 1
+/// for directions, weights and encoded colours.
 void comparePixels(Comparison& comparison, const std::string& what, const Planes& device,
                    const ExactPlanes& exact, const BasicPlanes<char>* excluded = nullptr,
-                   const ExactPlanes* scales = nullptr);
+                   const ExactPlanes* scales = nullptr, double unit = 1.0);
 
 /// True if both have the same bits everywhere, `except` apart (pixels that are true there may differ).
 bool sameBits(const Planes& a, const Planes& b, const BasicPlanes<char>* except = nullptr);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/core/f_beta_table.hpp"
+#include "host/stages/f_beta_table.hpp"
 #include "kernels/f_beta_table_params.h"
 #include "tests/oracle/f_beta_oracle.hpp"
 #include "tests/support/stage_harness.hpp"

@@ -43,6 +43,10 @@ BasicPlanes<Value> planesOf(const BasicPlanes<Value>& planes, int first, int cou
   return part;
 }
 
+inline void fill(Planes& planes, float value) {
+  std::fill(planes.values.begin(), planes.values.end(), value);
+}
+
 /// Calls work(x, y) for every pixel.
 template <class Work>
 void forEachPixel(Size size, Work&& work) {

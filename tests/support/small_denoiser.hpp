@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "host/analytic/sequence.hpp"
 #include "host/core/opencl.hpp"
-#include "host/io/analytic_sequence.hpp"
 #include "tests/support/image_layout.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -35,18 +35,13 @@ inline ImageLayout absent() { return packed(0); }
 
 /// Size and layouts of the images of a frame; by default the smallest set that denoises well.
 struct ImageSetup {
+  ImageSetup() { radiance = normalWorld = positionWorld = albedo = emission = linear = display = packed(3); }
+
   Size size{37, 21};
-  ImageLayout radiance = packed(3);
-  ImageLayout normalWorld = packed(3);
-  ImageLayout positionWorld = packed(3);
-  ImageLayout viewDepth = absent();
-  ImageLayout albedo = packed(3);
-  ImageLayout glossColor = absent();
-  ImageLayout emission = packed(3);
-  ImageLayout motion = absent();
-  ImageLayout objectId = absent();
-  ImageLayout linear = packed(3);
-  ImageLayout display = packed(3);
+#define QUELL_LAYOUT(name, ...) ImageLayout name = absent();
+  QUELL_FRAME_IMAGES(QUELL_LAYOUT)
+  QUELL_OUTPUT_IMAGES(QUELL_LAYOUT)
+#undef QUELL_LAYOUT
   bool roundToHalf = false;  ///< round all inputs to half before they are stored, whatever they are stored as
 };
 
@@ -87,15 +82,9 @@ class FrameBuffers {
   FrameBuffers(const OpenDevice& device, const ImageSetup& setup)
       : m_queue(device.queue), m_sequence(smallSequence(setup.size)), m_roundToHalf(setup.roundToHalf) {
     frame.size = setup.size;
-    frame.radiance = allocate(device, setup.radiance);
-    frame.normalWorld = allocate(device, setup.normalWorld);
-    frame.positionWorld = allocate(device, setup.positionWorld);
-    frame.viewDepth = allocate(device, setup.viewDepth);
-    frame.albedo = allocate(device, setup.albedo);
-    frame.glossColor = allocate(device, setup.glossColor);
-    frame.emission = allocate(device, setup.emission);
-    frame.motion = allocate(device, setup.motion);
-    frame.objectId = allocate(device, setup.objectId);
+    forEachInput(setup, frame, [&](const ImageFacts&, const ImageLayout& layout, ImageView& view) {
+      view = allocate(device, layout);
+    });
     output.linear = allocate(device, setup.linear);
     output.display = allocate(device, setup.display);
     upload(0);
@@ -103,18 +92,15 @@ class FrameBuffers {
 
   /// Fills the inputs with frame `number` of the built-in sequence and the outputs with a pattern; blocks.
   void upload(int number) {
-    const io::FrameData data = m_sequence->read(number);
+    io::FrameData data = m_sequence->read(number);
     frame.camera = data.camera;
-    writeInput(frame.radiance, data.radiance);
-    writeInput(frame.normalWorld, data.normalWorld);
-    writeInput(frame.positionWorld, data.positionWorld);
-    writeInput(frame.viewDepth, viewDepthOf(data));
-    writeInput(frame.albedo, data.albedo);
-    writeInput(frame.glossColor, io::Image(frame.size.width, frame.size.height, 3, 0.25f));
-    writeInput(frame.emission, data.emission);
-    // Nothing moves, and all is one object.
-    writeInput(frame.motion, io::Image(frame.size.width, frame.size.height, 2));
-    writeInput(frame.objectId, io::Image(frame.size.width, frame.size.height, 1));
+    data.viewDepth = viewDepthOf(data);
+    data.glossColor = io::Image(frame.size.width, frame.size.height, 3, 0.25f);
+    // What else the sequence has not is 0: nothing moves, and all is one object.
+    forEachInput(data, frame, [&](const ImageFacts& facts, const io::Image& image, const ImageView& view) {
+      writeInput(view,
+                 image.empty() ? io::Image(frame.size.width, frame.size.height, facts.mostChannels) : image);
+    });
     const io::Image nothing(frame.size.width, frame.size.height, 4, -1.0f);
     write(output.linear, nothing);
     write(output.display, nothing);

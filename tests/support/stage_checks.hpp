@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <functional>
 #include <memory>
@@ -14,6 +15,9 @@ namespace quell::tests {
 
 /// Smaller than a work-item's lanes, off every multiple, wider than high and the other way round.
 inline std::vector<Size> testSizes() { return {{1, 1}, {7, 93}, {257, 89}, {33, 31}, {480, 270}}; }
+
+constexpr double kDarkLight = 1e-3;
+constexpr int kMostDarkPixels = 5000;
 
 /// Layouts that take different paths in common/image_access.h.
 inline std::vector<ImageLayout> outputLayouts() {
@@ -29,6 +33,16 @@ inline std::vector<ImageLayout> inputLayouts() {
           interleaved(4, ComponentFormat::Float16)};
 }
 
+/// Sixteen pixels a work-item and one.
+inline std::array<CaseOptions, 2> bothMappings(Size size = CaseOptions().size) {
+  CaseOptions options;
+  options.size = size;
+  std::array<CaseOptions, 2> both{options, options};
+  both[0].mapping = Mapping::Wide;
+  both[1].mapping = Mapping::Narrow;
+  return both;
+}
+
 inline const char* toString(Mapping mapping) { return mapping == Mapping::Wide ? "wide" : "narrow"; }
 
 inline std::string describe(const CaseOptions& options) {
@@ -39,8 +53,8 @@ inline std::string describe(const CaseOptions& options) {
 }
 
 /// Device and oracle agree within the case's tolerance, and few pixels are left out.
-inline void checkAgreement(StageCase& stageCase, const CaseOptions& options) {
-  const Comparison comparison = stageCase.check();
+inline void checkComparison(const Comparison& comparison, const StageCase& stageCase,
+                            const CaseOptions& options) {
   INFO(describe(options));
   INFO(comparison.worst());
   INFO(comparison.excluded() << " pixels left out");
@@ -50,9 +64,17 @@ inline void checkAgreement(StageCase& stageCase, const CaseOptions& options) {
   CHECK(double(comparison.excluded()) <= 2.0 + kExcludedShare * pixels);
 }
 
+/// In a bright scene, which the outputs are of afterwards, and in a dark one unless the picture is large.
+inline void checkAgreement(StageCase& stageCase, const CaseOptions& options) {
+  checkComparison(stageCase.check(), stageCase, options);
+  if (options.size.width * options.size.height > kMostDarkPixels) return;
+  INFO("dark");
+  checkComparison(stageCase.checkInLight(kDarkLight), stageCase, options);
+}
+
 /// The guides of a run with this signal alone.
 inline Planes guidesOfSignal(const Planes& both, int signal) {
-  Planes guides = planesOf(both, 0, QUELL_GUIDE_PLANES);
+  Planes guides = planesOf(both, 0, QUELL_GUIDE_PLANES_OF(1));
   forEachPixel(both.size(), [&](int x, int y) {
     guides.at(QUELL_GUIDE_WEIGHT, x, y) = both.at(QUELL_GUIDE_WEIGHT + signal, x, y);
   });
@@ -95,6 +117,26 @@ inline void checkLayouts(const CaseMaker& make, const std::vector<ImageLayout>& 
       options.mapping = mapping;
       options.layout = layouts[i];
       checkAgreement(*make(options), options);
+    }
+  }
+}
+
+/// Leaves out holes of background, with what earlier frames left in them, or antialiases them.
+inline void checkHoles(const CaseMaker& make) {
+  unsigned seed = 200;
+  for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
+    for (const Size size : {Size{7, 93}, Size{77, 43}, Size{131, 83}}) {
+      for (const Skip skip : {Skip::On, Skip::OnJittered}) {
+        CaseOptions options;
+        options.size = size;
+        options.mapping = mapping;
+        options.seed = seed++;
+        options.skip = skip;
+        const auto stageCase = make(options);
+        INFO((skip == Skip::On ? "still" : "jittered"));
+        CHECK(stageCase->harness().hasPort("surfaces"));
+        checkAgreement(*stageCase, options);
+      }
     }
   }
 }

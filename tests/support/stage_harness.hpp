@@ -35,24 +35,26 @@ struct StageSetup {
   Frame frame;
   Output output;
   int occurrence = 0;  ///< which of the stages of this name, from 0
+  bool skip = false;   ///< setting of that name
 };
 
-/// One line of the method's table with buffers of its own: the stage can touch no other. Margins hold finite
+/// One stage of a method with buffers of its own: it can touch no other. Margins hold finite
 /// rubbish instead of zeros, since only finiteness is promised.
 class StageHarness {
  public:
   /// Takes the stage `stem` from the schedule of the setup's method and compiles it.
   StageHarness(const std::string& stem, const StageSetup& setup);
 
-  /// By the names of the table, "<name>.prev" included. Integers are converted from and to floats.
+  /// By the names of the stage's ports. Integers are converted from and to floats.
   void upload(const std::string& name, const Planes& planes);
   Planes download(const std::string& name) const;
+  bool hasPort(const std::string& name) const;
 
   /// The caller's images; those of the setup must all be set before run().
   void setInput(ImageView Frame::*image, const io::Image& pixels);
   void clearOutput(ImageView Output::*image);
-  std::vector<unsigned char> outputBytes(ImageView Output::*image) const;
-  io::Image output(ImageView Output::*image) const;
+  std::vector<unsigned char> outputBytes(const ImageView Output::*image) const;
+  io::Image output(const ImageView Output::*image) const;
 
   /// Runs the stage once, waits, and returns the device time of its kernels, milliseconds (wall time on
   /// runtimes without event times).
@@ -60,18 +62,18 @@ class StageHarness {
 
   Size size() const { return m_configuration.size(); }
   const Configuration& configuration() const { return m_configuration; }
-  /// The line of the table.
-  const StageRow& row() const { return m_schedule.stages[m_row]; }
-  /// Bytes that the stage must read and write per frame, each counted once.
-  std::uint64_t bytesMoved() const;
+  const Stage& stage() const { return *m_stage; }
+  const std::vector<Port>& ports() const { return m_ports; }
+  /// Bytes that a frame of this content makes the stage touch, as it declares.
+  std::uint64_t bytesMoved(const Content& content = {}) const;
 
  private:
   void allocate();
-  const BufferSpec& specOf(const std::string& name) const;
+  const Port& port(const std::string& name) const;
 
   Configuration m_configuration;
-  Schedule m_schedule;
-  std::size_t m_row = 0;
+  std::unique_ptr<Stage> m_stage;
+  std::vector<Port> m_ports;
   std::map<std::string, cl::Buffer> m_buffers;
   std::map<std::string, cl::Buffer> m_images;  // memory behind m_frame and m_output
   Frame m_frame;

@@ -6,6 +6,7 @@
 #include "host/core/reprojection.hpp"
 #include "host/methods/method.hpp"
 #include "kernels/accumulate_noisy_params.h"
+#include "tests/support/random_images.hpp"
 
 namespace quell::tests {
 namespace {
@@ -18,6 +19,9 @@ constexpr double kFenceZ = -4.0;           // distances from the origin along z,
 constexpr double kWallZ = -6.0;
 constexpr double kSkyY = 1.9;          // height above which there is nothing
 constexpr double kSlatsPerUnit = 4.0;  // radians per scene unit
+constexpr int kHoleRun = 16;           // pixels: the most lanes
+constexpr double kHoleShare = 0.35;    // of the runs
+constexpr double kSinglePixelShare = 0.1;
 
 struct Axes {
   Vector3d position, right, up, forward;
@@ -93,15 +97,22 @@ Camera makeCamera(const TestCamera& now, const TestCamera& before, Size size) {
 
 ReprojectionParams makeReprojection(const TestCamera& now, const TestCamera& before, Size size,
                                     bool historyValid) {
-  const DiscardLimits limits = findMethod("bmfr").discardLimits(Settings("bmfr"));
+  const DiscardLimits limits = findMethod("bmfr").runtimeSettings(Settings("bmfr")).discard;
   return makeReprojectionParams(makeCamera(now, before, size), size, limits, historyValid);
 }
 
-SceneView renderScene(const TestCamera& camera, Size size, int signals) {
+bool isHole(Size size, int x, int y) {
+  if (x >= size.width / 2 && y >= size.height / 2) return true;
+  return Random(unsigned(1000 * y + x / kHoleRun)).uniform() < kHoleShare ||
+         Random(unsigned(1000 * (y + size.height) + x)).uniform() < kSinglePixelShare;
+}
+
+SceneView renderScene(const TestCamera& camera, Size size, int signals, bool holes) {
   const Axes axes = axesOf(camera);
   SceneView view{io::Image(size.width, size.height, 3), io::Image(size.width, size.height, 1),
                  io::Image(size.width, size.height, 3), Planes(size, QUELL_GUIDE_WEIGHT + signals)};
   forEachPixel(size, [&](int x, int y) {
+    if (holes && isHole(size, x, y)) return;
     const double column = x + 0.5 + camera.jitterPx[0], row = y + 0.5 + camera.jitterPx[1];
     const double right = (2.0 * column - size.width) / size.height / kFocalLength;
     const double up = (size.height - 2.0 * row) / size.height / kFocalLength;

@@ -37,6 +37,10 @@ struct SceneView {
   io::Image normalWorld;    ///< 3 channels
   Planes guides;            ///< as accumulate_noisy keeps them; weights 1, 0 on the sky
 };
-SceneView renderScene(const TestCamera& camera, Size size, int signals = 1);
+/// With `holes`, background also where isHole() says.
+SceneView renderScene(const TestCamera& camera, Size size, int signals = 1, bool holes = false);
+
+/// Holes of background: a quarter of the image, in the rest runs of 16 pixels of a row and single pixels.
+bool isHole(Size size, int x, int y);
 
 }  // namespace quell::tests

@@ -17,14 +17,14 @@
 
 #include "host/io/atomic_file.hpp"
 #include "host/io/cycles_sequence.hpp"
-#include "host/io/exr_image.hpp"
+#include "host/io/image_sources.hpp"
 #include "host/io/sequence_files.hpp"
 
 namespace {
 
 using quell::Matrix4;
-using quell::io::ExrType;
 using quell::io::Image;
+using quell::io::ImageSource;
 
 constexpr int kStep = 2;
 /// From where a kept pixel's centre falls (0.25) to where it belongs (0.5), in pixels of the new grid.
@@ -74,15 +74,12 @@ class Subsampler {
 
   void addFrame(int frame) {
     const quell::io::FrameData data = m_sequence.read(frame);
-    write("color", frame, data.radiance);
-    write("shading_normal", frame, data.normalWorld);
-    write("world_position", frame, data.positionWorld, ExrType::Float);
-    write("albedo", frame, data.albedo);
-    write("gloss_color", frame, data.glossColor);
-    write("emission", frame, data.emission);
+    for (const ImageSource& source : quell::io::imageSources(1))
+      write(source.files.stem, frame, data.*source.image, source.files);
     if (const auto reference = m_sequence.reference(frame)) {
-      write("ref_a_color", frame, reference->a);
-      write("ref_b_color", frame, reference->b);
+      const quell::ImageFiles& color = quell::factsOf(&quell::io::FrameData::radiance).files;
+      write("ref_a_color", frame, reference->a, color);
+      write("ref_b_color", frame, reference->b, color);
     }
     m_frames.push_back({{"frame", frame},
                         {"view_projection", centred(data.camera.worldToClip)},
@@ -100,10 +97,10 @@ class Subsampler {
     return toJson(shifted(worldToClip, kCentreShiftPx, kCentreShiftPx, m_width, m_height));
   }
 
-  void write(const char* buffer, int frame, const Image& image, ExrType type = ExrType::Half) const {
+  void write(const char* stem, int frame, const Image& image, const quell::ImageFiles& files) const {
     if (image.empty()) return;
-    const std::string name = fmt::format("{}_{:04}.exr", buffer, frame);
-    quell::io::writeExr(quell::io::joinPath(m_output, name), subsample(image), type);
+    const std::string name = fmt::format("{}_{:04}.exr", stem, frame);
+    quell::io::writeImage(quell::io::joinPath(m_output, name), subsample(image), files);
   }
 
   quell::io::CyclesSequence m_sequence;

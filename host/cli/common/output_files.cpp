@@ -1,0 +1,96 @@
+#include "host/cli/common/output_files.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "host/io/exr_image.hpp"
+#include "host/io/png_image.hpp"
+#include "host/metrics/display_encoding.hpp"
+#include "host/metrics/error.hpp"
+
+namespace quell::cli {
+namespace {
+
+// Of what was left out, in the picture of tiles.
+constexpr float kBackgroundBrightness = 0.3f;
+
+void paste(io::Image& target, const io::Image& source, int column) {
+  for (int y = 0; y < source.height; ++y)
+    for (int x = 0; x < source.width; ++x)
+      for (int c = 0; c < 3; ++c) target.at(column + x, y, c) = source.at(x, y, c);
+}
+
+std::vector<std::string> planeNames(int planes) {
+  if (planes == 1) return {"Y"};
+  if (planes == 3) return {"R", "G", "B"};
+  std::vector<std::string> names;
+  for (int plane = 0; plane < planes; ++plane) names.push_back(fmt::format("plane{}", plane));
+  return names;
+}
+
+}  // namespace
+
+void createDirectory(const char* command, const std::string& path) {
+  std::error_code failure;
+  std::filesystem::create_directories(path, failure);
+  if (failure)
+    throw Error(ErrorCode::FileError,
+                {command, path, "a directory that can be created or exists", failure.message()});
+}
+
+OutputFiles::OutputFiles(std::string directory, OutputFormats formats)
+    : m_directory(std::move(directory)), m_formats(formats) {
+  createDirectory("denoise", m_directory);
+}
+
+std::string OutputFiles::path(const std::string& prefix, int frame, const char* extension) const {
+  return (std::filesystem::path(m_directory) / fmt::format("{}_{:04d}.{}", prefix, frame, extension))
+      .string();
+}
+
+void OutputFiles::write(int frame, const DenoisedFrame& denoised) const {
+  io::writeExr(path("denoised", frame, "exr"), denoised.linear);
+  if (m_formats.png) io::writePng(path("display", frame, "png"), denoised.display);
+  if (m_formats.exr) io::writeExr(path("display", frame, "exr"), denoised.display);
+}
+
+void OutputFiles::writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,
+                                  const io::Reference& reference) const {
+  io::writePng(path("comparison", noisy.number, "png"),
+               comparisonSheet(noisy.noisy(), denoised.display, &reference));
+}
+
+void OutputFiles::writeBuffer(int frame, const BufferContent& content) const {
+  io::Image image(content.width, content.height, content.planes);
+  const std::size_t pixels = image.pixels.size() / std::size_t(image.channels);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i % pixels * std::size_t(image.channels) + i / pixels] = content.values[i];
+  io::writeExr(path(content.name, frame, "exr"), image, planeNames(content.planes), io::ExrType::Float);
+}
+
+void OutputFiles::writeTiles(int frame, const DenoisedFrame& denoised, const BackgroundMap& map) const {
+  io::Image picture = denoised.display;
+  for (int y = 0; y < picture.height && !map.background.empty(); ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const int item = y * map.columns + x / map.itemWidth;
+      if (map.background[static_cast<std::size_t>(item)] == 0) continue;
+      for (int c = 0; c < 3; ++c) picture.at(x, y, c) *= kBackgroundBrightness;
+    }
+  }
+  io::writePng(path("tiles", frame, "png"), picture);
+}
+
+io::Image comparisonSheet(const io::Image& noisy, const io::Image& display, const io::Reference* reference) {
+  const int width = display.width;
+  io::Image sheet((reference != nullptr ? 3 : 2) * width, display.height, 3);
+  paste(sheet, metrics::encodeForDisplay(noisy), 0);
+  paste(sheet, display, width);
+  if (reference != nullptr)
+    paste(sheet, metrics::encodeForDisplay(metrics::meanOfHalves(reference->a, reference->b)), 2 * width);
+  return sheet;
+}
+
+}  // namespace quell::cli

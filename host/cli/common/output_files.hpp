@@ -1,0 +1,58 @@
+// What commands leave on disk.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/cli/common/denoise_session.hpp"
+#include "host/io/atomic_file.hpp"
+#include "host/io/frame_sequence.hpp"
+
+namespace quell::cli {
+
+/// Makes a directory, unless it is there, and those that it lies in. Throws Error(FileError) that names the command.
+void createDirectory(const char* command, const std::string& path);
+
+/// Unless `path` is empty; indented by two. Throws Error(FileError).
+template <class Json>
+void writeJson(const std::string& path, const Json& value) {
+  if (!path.empty()) io::writeTextFile(path, value.dump(2) + "\n");
+}
+
+struct OutputFormats {
+  bool png = true;   ///< display_%04d.png
+  bool exr = false;  ///< display_%04d.exr
+};
+
+/// Display-encoded pictures side by side, 3 channels: noisy | denoised | reference, the last only where there is one.
+/// `noisy` is linear, `display` the denoiser's display image.
+io::Image comparisonSheet(const io::Image& noisy, const io::Image& display, const io::Reference* reference);
+
+/// What the denoise command leaves in its output directory.
+class OutputFiles {
+ public:
+  /// Creates the directory. Throws Error(FileError).
+  OutputFiles(std::string directory, OutputFormats formats);
+
+  /// denoised_%04d.exr (linear, before tone map and TAA, half, ZIP) and the display image in the chosen
+  /// formats.
+  void write(int frame, const DenoisedFrame& denoised) const;
+
+  /// comparison_%04d.png: noisy | denoised | reference, side by side.
+  void writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,
+                       const io::Reference& reference) const;
+
+  /// NAME_%04d.exr, floats without loss: channel Y, or R, G and B, or else plane0, plane1, ...
+  void writeBuffer(int frame, const BufferContent& content) const;
+
+  /// tiles_%04d.png: the display image, darkened where `map` says that nothing was filtered.
+  void writeTiles(int frame, const DenoisedFrame& denoised, const BackgroundMap& map) const;
+
+ private:
+  std::string path(const std::string& prefix, int frame, const char* extension) const;
+
+  std::string m_directory;
+  OutputFormats m_formats;
+};
+
+}  // namespace quell::cli

@@ -1,0 +1,197 @@
+// quell denoise: a sequence in, denoised frames, times and errors out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <quell/quell.hpp>
+#include <string>
+#include <vector>
+
+#include "host/analytic/sequence.hpp"
+#include "host/cli/common/command_arguments.hpp"
+#include "host/cli/common/commands.hpp"
+#include "host/cli/common/denoise_report.hpp"
+#include "host/cli/common/denoise_session.hpp"
+#include "host/cli/common/fair_rounds.hpp"
+#include "host/cli/common/output_files.hpp"
+#include "host/cli/common/progress.hpp"
+#include "host/io/atomic_file.hpp"
+#include "host/io/frame_sequence.hpp"
+
+namespace quell::cli {
+namespace {
+
+constexpr char kCommand[] = "denoise";
+/// Stands for the names of all buffers in --dump.
+constexpr char kList[] = "list";
+
+struct DenoiseOptions {
+  MethodArguments method;
+  std::string input;
+  std::string output;
+  std::string frames;
+  std::string size = "1280x720";
+  std::string timers = "device";
+  std::string motion = "auto";
+  std::string json;
+  std::vector<std::string> dump;
+  DeviceArguments device;
+  int analyticFrames = 16;
+  int signals = 1;
+  double skyShare = 0.0;
+  bool stillCamera = false;
+  bool debugTiles = false;
+  bool png = false;
+  bool exr = false;
+  bool copyBandwidth = false;
+};
+
+std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
+  if (!options.input.empty()) return io::openSequence(options.input, options.signals);
+  if (options.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
+  const Size size = parseSize(kCommand, options.size);
+  io::AnalyticOptions analytic;
+  analytic.width = size.width;
+  analytic.height = size.height;
+  analytic.frameCount = options.analyticFrames;
+  analytic.skyShare = options.skyShare;
+  analytic.movingCamera = !options.stillCamera;
+  return io::makeAnalyticSequence(analytic);
+}
+
+std::vector<int> chooseFrames(const DenoiseOptions& options, const io::FrameSequence& sequence) {
+  std::vector<int> frames = sequence.frames();
+  if (options.frames.empty()) return frames;
+  const auto [first, last] = parsePair(kCommand, "--frames", options.frames, '-', "a range such as 0-15");
+  const std::string present = fmt::format("a range within {}-{}", frames.front(), frames.back());
+  if (first > last || first < frames.front() || last > frames.back())
+    refuse(kCommand, "--frames", present, options.frames);
+  frames.erase(
+      std::remove_if(frames.begin(), frames.end(), [a = first, b = last](int f) { return f < a || f > b; }),
+      frames.end());
+  return frames;
+}
+
+TimerMode timerMode(const std::string& name) {
+  if (name == "off") return TimerMode::Off;
+  return name == "host" ? TimerMode::Host : TimerMode::Device;
+}
+
+std::unique_ptr<OutputFiles> openOutput(const DenoiseOptions& options) {
+  if (options.output.empty() && (options.debugTiles || !options.dump.empty()))
+    refuse(kCommand, options.debugTiles ? "--debug tiles" : "--dump", "--output as well", "none");
+  if (options.output.empty()) return nullptr;
+  return std::make_unique<OutputFiles>(options.output,
+                                       OutputFormats{options.png || !options.exr, options.exr});
+}
+
+// Denoises the frames, writes what there is to write of each, and fills the report's frames, errors and hash.
+void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& frames,
+                   const DenoiseOptions& options, DenoiseSession& session, const OutputFiles* files,
+                   DenoiseReport& report) {
+  OutputHash hash;
+  metrics::MotionCompensatedErrorMeter flicker;
+  Progress progress(kCommand, frames.size());
+  for (const int number : frames) {
+    const io::FrameData frame = sequence.read(number);
+    const DenoisedFrame denoised = session.denoise(frame);
+    hash.add(denoised.linear);
+    hash.add(denoised.display);
+    flicker.add(trackFrame(frame, denoised));
+    if (files != nullptr) files->write(number, denoised);
+    for (const std::string& name : options.dump)
+      files->writeBuffer(number, session.denoiser().readBuffer(name));
+    if (options.debugTiles) files->writeTiles(number, denoised, session.denoiser().backgroundMap());
+    if (const auto reference = sequence.reference(number)) {
+      if (frame.comparable()) report.errors.push_back(compareFrame(frame, denoised, *reference));
+      if (files != nullptr) files->writeComparison(frame, denoised, *reference);
+    }
+    ++report.frames;
+    progress.step(fmt::format("frame {}", number));
+  }
+  report.outputHash = hash.text();
+  report.temporalError = flicker.mean();
+}
+
+void runDenoise(const DenoiseOptions& options) {
+  const std::unique_ptr<io::FrameSequence> sequence = openInput(options);
+  const std::vector<int> frames = chooseFrames(options, *sequence);
+  const Settings settings =
+      applyMethodArguments(kCommand, options.method, defaultSettings(options.method.method, *sequence));
+  const bool list = options.dump == std::vector<std::string>{kList};
+  const std::unique_ptr<OutputFiles> files = list ? nullptr : openOutput(options);
+  Options deviceOptions = makeOptions(options.device, timerMode(options.timers));
+  if (!list) deviceOptions.keptBuffers = options.dump;
+  DenoiseSession session(options.device.device, settings, deviceOptions, sequence->read(frames.front()),
+                         motionUse(options.motion));
+  if (list) {
+    fmt::print("{}\n", fmt::join(session.denoiser().bufferNames(), "\n"));
+    return;
+  }
+  DenoiseReport report;
+  report.device = session.device();
+  report.settings = settings;
+  report.size = {sequence->width(), sequence->height()};
+  denoiseFrames(*sequence, frames, options, session, files.get(), report);
+  report.memory = session.denoiser().memoryUse();
+  if (options.timers != "off") report.timings = session.timings();
+  if (options.copyBandwidth) {
+    const CopyBandwidth copy = measureCopy(session);
+    report.copyMs = copy.copyMs;
+    report.copyGbs = copy.gigabytesPerSecond;
+  }
+  writeJson(options.json, toJson(report));
+  print(report);
+  if (files) fmt::print("\npictures and frames are in {}\n", options.output);
+}
+
+}  // namespace
+
+void addDenoiseCommand(CLI::App& app) {
+  auto options = std::make_shared<DenoiseOptions>();
+  CLI::App* command = app.add_subcommand("denoise", "Denoise a frame sequence and report time and error");
+  addMethodArguments(*command, options->method);
+  command->add_option(
+      "--input", options->input,
+      "Directory with a sequence (see data/README.md), or a multilayer OpenEXR file as Blender's Cycles "
+      "writes it, "
+      "or a directory of these; without it a built-in sequence is made up. Multilayer files need the passes "
+      "Combined and Normal, and both of Position and Depth, or one of them and camera.json");
+  command->add_option("--output", options->output,
+                      "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
+  command->add_option("--frames", options->frames, "Frames A-B; default: all");
+  command->add_option("--size", options->size, "Size of the built-in sequence")->capture_default_str();
+  command->add_option("--frame-count", options->analyticFrames, "Length of the built-in sequence")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--sky-share", options->skyShare, "Share of the built-in sequence's rows that show sky")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_flag("--still-camera", options->stillCamera,
+                    "The camera of the built-in sequence stands still");
+  addSignalsOption(*command, options->signals);
+  addMotionOption(*command, options->motion);
+  command->add_option("--timers", options->timers, "Where stage times come from")
+      ->check(CLI::IsMember({"device", "host", "off"}))
+      ->capture_default_str();
+  addDeviceArguments(*command, options->device);
+  command->add_option("--json", options->json, "File for the report as JSON");
+  command
+      ->add_option_function<std::string>(
+          "--debug", [options](const std::string&) { options->debugTiles = true; },
+          "tiles: write tiles_NNNN.png, darkened where background is left out")
+      ->check(CLI::IsMember({"tiles"}));
+  command
+      ->add_option(
+          "--dump", options->dump,
+          "Intermediate buffers to write as NAME_NNNN.exr, separated by commas; list: print their names")
+      ->delimiter(',');
+  command->add_flag("--png", options->png, "Write display images as PNG (the default)");
+  command->add_flag("--exr", options->exr, "Write display images as OpenEXR");
+  command->add_flag("--copy-bandwidth", options->copyBandwidth,
+                    "Also measure the device's copy bandwidth and report times in copies");
+  command->footer(settingsHelp("--set"));
+  command->callback([options] { runDenoise(*options); });
+}
+
+}  // namespace quell::cli

@@ -1,0 +1,84 @@
+// quell kernels: what the methods compile, for offline compilers.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <quell/quell.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "host/cli/common/commands.hpp"
+#include "host/cli/kernels/variants.hpp"
+#include "host/core/device_traits.hpp"
+#include "host/core/kernel_sources.hpp"
+#include "host/io/atomic_file.hpp"
+
+namespace quell::cli {
+namespace {
+
+using nlohmann::json;
+
+// What every GPU of the last ten years allows.
+constexpr std::size_t kGpuWorkGroup = 256;
+// PoCL's limit.
+constexpr std::size_t kCpuWorkGroup = 4096;
+
+struct KernelsOptions {
+  std::vector<std::string> methods = methodNames();
+  std::vector<std::string> features;
+  std::string mapping = "narrow";
+  std::string images = "typical";
+  std::string json;
+};
+
+json toJson(const KernelVariants& variants) {
+  json kernels = json::array(), sources = json::object();
+  for (const auto& [kernel, methods] : variants) {
+    const auto& [stem, options] = kernel;
+    kernels.push_back({{"stem", stem}, {"options", options}, {"methods", methods}});
+    sources[stem] = kernelSources().at(stem);
+  }
+  return {{"kernels", kernels}, {"sources", sources}};
+}
+
+void runKernels(const KernelsOptions& options) {
+  const bool wide = options.mapping == "wide";
+  const ImageSets images = options.images == "all" ? ImageSets::All : ImageSets::Typical;
+  KernelVariants variants;
+  std::vector<std::string> features = options.features;
+  features.insert(features.begin(), "");  // the default
+  for (const std::string& method : options.methods)
+    for (const std::string& list : features)
+      addKernelVariants(variants, method, images, wide ? kWideLanes : kNarrowLanes,
+                        wide ? kCpuWorkGroup : kGpuWorkGroup, list);
+  if (!options.json.empty()) io::writeTextFile(options.json, toJson(variants).dump(1) + "\n");
+  for (const auto& [kernel, methods] : variants)
+    fmt::print("{} ({}): {}\n", kernel.first, fmt::join(methods, ", "), kernel.second);
+}
+
+}  // namespace
+
+void addKernelsCommand(CLI::App& app) {
+  auto options = std::make_shared<KernelsOptions>();
+  CLI::App* command = app.add_subcommand(
+      "kernels", "List what the methods compile, with all compile options, for offline compilers");
+  command->add_option("--methods", options->methods, "Methods to list")->delimiter(',');
+  command
+      ->add_option("--features", options->features,
+                   "Lists of features of bmfr's fit besides the default, separated by semicolons")
+      ->delimiter(';');
+  command
+      ->add_option("--mapping", options->mapping, "Pixels per work-item: 1 (narrow, GPUs) or 16 (wide, CPUs)")
+      ->check(CLI::IsMember({"narrow", "wide"}))
+      ->capture_default_str();
+  command
+      ->add_option("--images", options->images,
+                   "Typical: every optional image as float3; all: also half4, and only what is required")
+      ->check(CLI::IsMember({"typical", "all"}))
+      ->capture_default_str();
+  command->add_option("--json", options->json, "File for the list with the kernels' sources");
+  command->callback([options] { runKernels(*options); });
+}
+
+}  // namespace quell::cli

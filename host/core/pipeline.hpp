@@ -1,0 +1,61 @@
+// A method that is ready to run: its stages compiled, its buffers allocated, all names resolved.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/core/buffer_set.hpp"
+#include "host/core/disk_cache.hpp"
+#include "host/core/frame_commands.hpp"
+#include "host/core/schedule.hpp"
+#include "host/core/stage.hpp"
+#include "host/core/tuning.hpp"
+
+namespace quell {
+
+class Pipeline {
+ public:
+  Pipeline() = default;
+  using MakeSchedule = std::function<Schedule(const Configuration&)>;
+
+  /// Compiles and allocates; blocks. What was measured on the device decides on pixels per work-item. Throws
+  /// Error(InvalidArgument) for an unknown name among Options::keptBuffers, Error(BuildFailed), Error(OutOfMemory), and
+  /// std::logic_error as makePlan().
+  Pipeline(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue,
+           const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule);
+
+  const Configuration& configuration() const { return m_configuration; }
+  bool empty() const { return m_schedule.empty(); }
+  const Plan& plan() const { return m_plan; }
+  const BufferSet& buffers() const { return m_buffers; }
+
+  /// Enqueues all stages of a frame.
+  void record(FrameCommands& commands, const Frame& frame, const Output& output,
+              const ReprojectionParams& reprojection, std::uint32_t frameIndex) const;
+
+  /// Names, labels and bytes of the stages, in their order.
+  std::vector<std::string> stageNames() const;
+  std::vector<std::string> stageLabels() const;
+  std::vector<std::uint64_t> stageBytes(const Content& content) const;
+
+  /// Whether some stages leave out background; then surfaces() says where it was in the latest frame. What each stage
+  /// works on depends on the frame.
+  bool leavesOutBackground() const;
+  std::vector<Coverage> coverages(const Frame& frame) const;
+  /// Reads, on a queue of the same device, which work-items showed a surface: 1, else 0. Blocks.
+  std::vector<std::uint8_t> surfaces(const cl::CommandQueue& queue) const;
+
+ private:
+  void agreeOnLanes(const DeviceTuning& tuning, const MakeSchedule& makeSchedule);
+  void buildStages(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
+                   const DeviceTuning& tuning);
+
+  Configuration m_configuration;
+  Schedule m_schedule;
+  Plan m_plan;
+  std::vector<Configuration> m_stageConfigurations;  // as m_configuration, but tuned
+  BufferSet m_buffers;
+};
+
+}  // namespace quell

@@ -1,0 +1,25 @@
+#include "host/core/warm_up.hpp"
+
+#include "host/core/image_schema.hpp"
+
+namespace quell {
+
+WarmUpImages::WarmUpImages(const cl::Context& context, const cl::CommandQueue& queue, const Frame& layout,
+                           const Output& outputLayout)
+    : frame(layout), output(outputLayout) {
+  for (const auto& image : kInputs<Frame>) provide(context, queue, frame.*image.member);
+  for (const auto& image : kOutputs<Output>) provide(context, queue, output.*image.member);
+  // Any camera will do; this one looks along -z.
+  frame.camera.worldToClip = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0};
+  frame.camera.worldToClipPrev = frame.camera.worldToClip;
+}
+
+void WarmUpImages::provide(const cl::Context& context, const cl::CommandQueue& queue, ImageView& view) {
+  if (!view.present()) return;
+  const std::size_t bytes = view.requiredBytes(frame.size);
+  m_buffers.emplace_back(context, CL_MEM_READ_WRITE, bytes);
+  queue.enqueueFillBuffer(m_buffers.back(), cl_uchar(0), 0, bytes);
+  view.memory = m_buffers.back()();
+}
+
+}  // namespace quell

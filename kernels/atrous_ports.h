@@ -1,0 +1,25 @@
+// Ports of the stage atrous; see common/ports.h for the columns.
+#ifndef QUELL_ATROUS_PORTS_H
+#define QUELL_ATROUS_PORTS_H
+
+#include "atrous_params.h"
+#include "common/guides.h"
+#include "common/ports.h"
+
+// clang-format off
+#define ATROUS_OPTIONS(OPTION, SIZE)                                                                                           \
+  OPTION(QUELL_SIGNALS) OPTION(VARIANCE) OPTION(FILTER_VARIANCE) OPTION(ROUGHNESS_STOP) OPTION(TAP_RADIUS) OPTION(TAP_CORNERS) \
+  OPTION(SKIP) SIZE(surfaceItems)
+
+#define ATROUS_PORTS(PORT, IMAGE, OUTPUT)                                                                                  \
+  PORT(irradiance,         READ,  FLOAT, 3 * QUELL_SIGNALS,                    ALL,                       ALWAYS)          \
+  PORT(variance,           READ,  FLOAT, QUELL_SIGNALS,                        ALL,                       VARIANCE)        \
+  PORT(guides,             READ,  FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS), PLANES(3 + QUELL_SIGNALS), ALWAYS)          \
+  PORT(viewDepth,          READ,  FLOAT, 1,                                    ALL,                       ALWAYS)          \
+  PORT(roughness,          READ,  FLOAT, 1,                                    ALL,                       ROUGHNESS_STOP)  \
+  PORT(filteredIrradiance, WRITE, FLOAT, 3 * QUELL_SIGNALS,                    ALL,                       ALWAYS)          \
+  PORT(filteredVariance,   WRITE, FLOAT, QUELL_SIGNALS,                        ALL,                       FILTER_VARIANCE) \
+  SURFACES_PORT(PORT)
+// clang-format on
+
+#endif

@@ -1,0 +1,21 @@
+// Ports of the stage background; see common/ports.h for the columns.
+#ifndef QUELL_BACKGROUND_PORTS_H
+#define QUELL_BACKGROUND_PORTS_H
+
+#include "background_params.h"
+#include "common/ports.h"
+
+// clang-format off
+#define BACKGROUND_OPTIONS(OPTION, SIZE)                                                                                                   \
+  OPTION(QUELL_SIGNALS) OPTION(DEMODULATED) OPTION(DEMODULATE) OPTION(ANTIALIAS) OPTION(SKIP) SIZE(surfaceItems) SIZE(antialiasBackground)
+
+#define BACKGROUND_PORTS(PORT, IMAGE, OUTPUT)                                            \
+  LIGHT_IMAGES(IMAGE, 1)                                                                 \
+  SURFACES_PORT(PORT)                                                                    \
+  PORT(encoded,     WRITE, FLOAT, 3, antialiasBackground ? 1 : NEAR_SURFACES, ANTIALIAS) \
+  PORT(antialiased, WRITE, FLOAT, 3, antialiasBackground ? 0 : 1,           ANTIALIAS)   \
+  OUTPUT(linear, LINEAR, 1, ALWAYS)                                                      \
+  OUTPUT(display, DISPLAY, antialiasBackground ? 0 : 1, ALWAYS)
+// clang-format on
+
+#endif

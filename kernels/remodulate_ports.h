@@ -1,0 +1,25 @@
+// Ports of the stage remodulate; see common/ports.h for the columns.
+#ifndef QUELL_REMODULATE_PORTS_H
+#define QUELL_REMODULATE_PORTS_H
+
+#include "common/f_beta_ports.h"
+#include "common/guides.h"
+#include "common/ports.h"
+#include "remodulate_params.h"
+
+// clang-format off
+#define REMODULATE_OPTIONS(OPTION, SIZE)                                                                            \
+  OPTION(QUELL_SIGNALS) OPTION(DEMODULATED) OPTION(DEMODULATE) OPTION(WRITE_PLANES) OPTION(SKIP) SIZE(surfaceItems)
+
+#define REMODULATE_PORTS(PORT, IMAGE, OUTPUT)                                                 \
+  PORT(filtered, READ,  FLOAT, 3 * QUELL_SIGNALS,                    ALL,       ALWAYS)       \
+  PORT(guides,   READ,  FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS), PLANES(3), ALWAYS)       \
+  F_BETA_KEPT_PORT(PORT, READ, 1)                                                             \
+  LIGHT_IMAGES(IMAGE, 1)                                                                      \
+  PORT(encoded,  WRITE, FLOAT, 3,                                    ALL,       WRITE_PLANES) \
+  OUTPUT(linear, LINEAR, 1, ALWAYS)                                                           \
+  OUTPUT(display, DISPLAY, 1, !WRITE_PLANES)                                                  \
+  SURFACES_PORT(PORT)
+// clang-format on
+
+#endif

@@ -1,0 +1,22 @@
+// Ports of the stage temporal_antialiasing; see common/ports.h for the columns.
+#ifndef QUELL_TEMPORAL_ANTIALIASING_PORTS_H
+#define QUELL_TEMPORAL_ANTIALIASING_PORTS_H
+
+#include "common/ports.h"
+#include "temporal_antialiasing_params.h"
+
+// clang-format off
+#define TEMPORAL_ANTIALIASING_OPTIONS(OPTION, SIZE)   \
+  OPTION(SKIP) SIZE(QUELL_SIGNALS) SIZE(surfaceItems)
+
+#define TEMPORAL_ANTIALIASING_PORTS(PORT, IMAGE, OUTPUT)                    \
+  PORT(encoded,          READ,     FLOAT, 3,             ALL,       ALWAYS) \
+  PORT(antialiasedPrev,  PREVIOUS, FLOAT, 3,             HISTORIES, ALWAYS) \
+  PORT(pixelPrev,        READ,     FLOAT, 2,             ALL,       ALWAYS) \
+  PORT(reprojectionMask, READ,     UCHAR, QUELL_SIGNALS, PLANES(1), ALWAYS) \
+  PORT(antialiased,      WRITE,    FLOAT, 3,             ALL,       ALWAYS) \
+  OUTPUT(display, DISPLAY, 1, ALWAYS)                                       \
+  SURFACES_PORT(PORT)
+// clang-format on
+
+#endif

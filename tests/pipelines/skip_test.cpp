@@ -1,0 +1,83 @@
+// Leaving out background changes no method's picture.
+#include <catch2/catch.hpp>
+
+#include "tests/pipelines/signal_images.hpp"
+
+namespace quell::tests {
+namespace {
+
+constexpr int kFrames = 3;
+constexpr int kWidth = 121, kHeight = 77;
+// Of quell's display output without jitter: surfaces next to the sky blend their history with it.
+constexpr double kDisplayTolerance = 0.02;
+
+struct Variant {
+  std::string method;
+  bool gram = false;
+  bool motion = false;
+};
+
+std::unique_ptr<io::FrameSequence> sequenceWithSky() {
+  io::AnalyticOptions options;
+  options.width = kWidth;
+  options.height = kHeight;
+  options.frameCount = kFrames;
+  options.skyShare = 0.4;
+  return io::makeAnalyticSequence(options);
+}
+
+bool isSky(const io::Image& normal, int x, int y) {
+  return normal.at(x, y, 0) == 0.0f && normal.at(x, y, 1) == 0.0f && normal.at(x, y, 2) == 0.0f;
+}
+
+// Largest difference, `surfaces` alone or everywhere.
+double difference(const io::Image& a, const io::Image& b, const io::Image& normal, bool surfaces = false) {
+  double largest = 0.0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int c = 0; c < 3; ++c)
+        if (!surfaces || !isSky(normal, x, y))
+          largest = std::max(largest, std::abs(double(a.at(x, y, c)) - b.at(x, y, c)));
+  return largest;
+}
+
+void checkSkip(const io::FrameSequence& sequence, const Variant& variant, bool gloss, bool jittered) {
+  const auto edit = [&](io::FrameData& frame) {
+    if (gloss) addGloss(frame);
+    if (jittered) frame.camera.jitterPx = {0.25 * (frame.number % 2), -0.125};
+    if (variant.motion) frame.motion = image(frame, 2, 1.75f);  // the sky runs over the surfaces
+  };
+  const auto denoise = [&](const char* skip) {
+    Settings settings(variant.method);
+    settings.set("skip", skip);
+    if (variant.gram) settings.set("solver", "gram");
+    return denoiseSequence(sequence, firstFrames(kFrames), settings, {}, edit).frames;
+  };
+  const auto all = denoise("off"), left = denoise("on");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const io::Image normal = sequence.read(int(i)).normalWorld;
+    INFO(variant.method << (variant.gram ? " gram" : "") << (gloss ? ", two signals" : ", one signal")
+                        << (jittered ? ", jittered" : "") << (variant.motion ? ", motion" : "") << ", frame "
+                        << i);
+    CHECK(difference(all[i].linear, left[i].linear, normal) == 0.0);
+    if (variant.method != "quell") {
+      CHECK(difference(all[i].display, left[i].display, normal) == 0.0);
+    } else {
+      // Without jitter antialiasing leaves out the sky, too, which is as it is then.
+      CHECK(difference(all[i].display, left[i].display, normal, !jittered) <= kDisplayTolerance);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("leaving out background changes no picture", "[pipelines]") {
+  const auto sequence = sequenceWithSky();
+  const Variant variants[] = {{"bmfr"},   {"bmfr", true}, {"svgf"},
+                              {"atrous"}, {"quell"},      {"quell", false, true}};
+  for (const Variant& variant : variants)
+    for (const bool gloss : {false, true})
+      for (const bool jittered : {false, true}) checkSkip(*sequence, variant, gloss, jittered);
+}
+
+}  // namespace quell::tests
