@@ -1,8 +1,8 @@
-#include "host/methods/atrous.hpp"
+// atrous: edge-avoiding a-trous wavelets, Dammertz et al. 2010.
+#include "host/stages/atrous.hpp"
 
 #include "host/methods/atrous_settings.hpp"
 #include "host/methods/method_table.hpp"
-#include "host/stages/atrous.hpp"
 #include "host/stages/demodulate.hpp"
 
 namespace quell {

@@ -1,5 +1,4 @@
-#include "host/methods/bmfr.hpp"
-
+// bmfr: Blockwise Multi-Order Feature Regression, Koskela et al. 2019.
 #include <quell/error.hpp>
 
 #include "host/core/frame_images.hpp"

@@ -1,5 +1,4 @@
-#include "host/methods/quell.hpp"
-
+// quell: history that follows changes of light, then a filter guided by its variance.
 #include <algorithm>
 
 #include "host/methods/method_table.hpp"

@@ -1,15 +1,23 @@
 #include <quell/error.hpp>
 
-#include "host/methods/atrous.hpp"
-#include "host/methods/bmfr.hpp"
 #include "host/methods/method.hpp"
-#include "host/methods/quell.hpp"
-#include "host/methods/svgf.hpp"
+
+// All methods, in the order in which users see them; the first is the default. METHOD(name) stands for the function
+// name##Method() of host/methods/<name>.cpp.
+#define QUELL_METHODS(METHOD) \
+  METHOD(quell)               \
+  METHOD(bmfr)                \
+  METHOD(svgf)                \
+  METHOD(atrous)
 
 namespace quell {
 
+#define QUELL_DECLARE_METHOD(name) Method name##Method();
+QUELL_METHODS(QUELL_DECLARE_METHOD)
+
 const std::vector<Method>& methods() {
-  static const std::vector<Method> all = {quellMethod(), bmfrMethod(), svgfMethod(), atrousMethod()};
+#define QUELL_MAKE_METHOD(name) name##Method(),
+  static const std::vector<Method> all = {QUELL_METHODS(QUELL_MAKE_METHOD)};
   return all;
 }
 

@@ -1,5 +1,4 @@
-#include "host/methods/svgf.hpp"
-
+// svgf: Spatiotemporal Variance-Guided Filtering, Schied et al. 2017.
 #include "host/methods/method_table.hpp"
 #include "host/methods/svgf_settings.hpp"
 #include "host/stages/accumulate_noisy.hpp"

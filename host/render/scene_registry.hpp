@@ -32,17 +32,4 @@ Scene makeScene(const SceneEntry& entry, int frame);
 /// First frame of `light-switch` with the other light.
 constexpr int kLightSwitchFrame = 20;
 
-// host/render/scenes/<name>.cpp
-void columns(Scene& scene, double frame);
-void cornell(Scene& scene, double frame);
-void dark(Scene& scene, double frame);
-void foliage(Scene& scene, double frame);
-void lightSwitch(Scene& scene, double frame);
-void mirror(Scene& scene, double frame);
-void movingLight(Scene& scene, double frame);
-void movingObjects(Scene& scene, double frame);
-void openSky(Scene& scene, double frame);
-void roughness(Scene& scene, double frame);
-void staticRoom(Scene& scene, double frame);
-
 }  // namespace quell::render

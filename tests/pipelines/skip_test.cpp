@@ -13,6 +13,7 @@ constexpr double kDisplayTolerance = 0.02;
 
 struct Variant {
   std::string method;
+  bool twoSignals = false;
   bool gram = false;
   bool motion = false;
 };
@@ -41,9 +42,9 @@ double difference(const io::Image& a, const io::Image& b, const io::Image& norma
   return largest;
 }
 
-void checkSkip(const io::FrameSequence& sequence, const Variant& variant, bool gloss, bool jittered) {
+void checkSkip(const io::FrameSequence& sequence, const Variant& variant, bool jittered) {
   const auto edit = [&](io::FrameData& frame) {
-    if (gloss) addGloss(frame);
+    if (variant.twoSignals) addGloss(frame);
     if (jittered) frame.camera.jitterPx = {0.25 * (frame.number % 2), -0.125};
     if (variant.motion) frame.motion = image(frame, 2, 1.75f);  // the sky runs over the surfaces
   };
@@ -56,7 +57,8 @@ void checkSkip(const io::FrameSequence& sequence, const Variant& variant, bool g
   const auto all = denoise("off"), left = denoise("on");
   for (std::size_t i = 0; i < all.size(); ++i) {
     const io::Image normal = sequence.read(int(i)).normalWorld;
-    INFO(variant.method << (variant.gram ? " gram" : "") << (gloss ? ", two signals" : ", one signal")
+    INFO(variant.method << (variant.gram ? " gram" : "")
+                        << (variant.twoSignals ? ", two signals" : ", one signal")
                         << (jittered ? ", jittered" : "") << (variant.motion ? ", motion" : "") << ", frame "
                         << i);
     CHECK(difference(all[i].linear, left[i].linear, normal) == 0.0);
@@ -73,11 +75,11 @@ void checkSkip(const io::FrameSequence& sequence, const Variant& variant, bool g
 
 TEST_CASE("leaving out background changes no picture", "[pipelines]") {
   const auto sequence = sequenceWithSky();
-  const Variant variants[] = {{"bmfr"},   {"bmfr", true}, {"svgf"},
-                              {"atrous"}, {"quell"},      {"quell", false, true}};
+  // Either number of signals where it is least like others: kernels are many.
+  const Variant variants[] = {{"bmfr"},  {"bmfr", true, true},        {"svgf", true}, {"atrous"},
+                              {"quell"}, {"quell", true, false, true}};
   for (const Variant& variant : variants)
-    for (const bool gloss : {false, true})
-      for (const bool jittered : {false, true}) checkSkip(*sequence, variant, gloss, jittered);
+    for (const bool jittered : {false, true}) checkSkip(*sequence, variant, jittered);
 }
 
 }  // namespace quell::tests
