@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -103,7 +104,7 @@ TEST_CASE("denoise dumps intermediate buffers", "[cli]") {
     REQUIRE(encoded.pixels[i] == Approx(display.pixels[i]).epsilon(1.0 / 2048.0).margin(1e-7));
   const io::Image length = io::readExr(out + "/historyLength_0001.exr");
   CHECK(length.channels == 1);
-  CHECK(length.at(20, 15, 0) == 2.0f);
+  CHECK(*std::max_element(length.pixels.begin(), length.pixels.end()) == 2.0f);  // of two frames
   CHECK(io::readExr(out + "/guides_0001.exr", {"plane0", "plane1", "plane3"}).width == 40);
   const io::Image records = io::readExr(out + "/fitRecords_0001.exr");
   CHECK(records.height == 1);

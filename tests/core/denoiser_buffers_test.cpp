@@ -81,6 +81,7 @@ TEST_CASE("integers come as numbers", "[core]") {
 TEST_CASE("all buffers of every method may be kept, at the cost of memory alone", "[core]") {
   for (const std::string& method : methodNames()) {
     INFO(method);
+    const bool shares = method != "atrous";  // whose buffers are all in use to the end
     SmallDenoiser plain({}, testOptions(), 0, settingsOf(method));
     const std::vector<std::string> names = plain.denoiser.bufferNames();
     REQUIRE_FALSE(names.empty());
@@ -89,7 +90,9 @@ TEST_CASE("all buffers of every method may be kept, at the cost of memory alone"
     CHECK(small.run(0, 1) == plain.run(0, 1));
     for (const std::string& name : names)
       checkShape(small.denoiser.readBuffer(name), small.buffers.frame.size);
-    CHECK(small.denoiser.memoryUse().totalBytes > plain.denoiser.memoryUse().totalBytes);
+    const std::size_t kept = small.denoiser.memoryUse().totalBytes,
+                      least = plain.denoiser.memoryUse().totalBytes;
+    CHECK((shares ? kept > least : kept == least));
   }
 }
 
@@ -100,8 +103,8 @@ TEST_CASE("buffers that are unknown, not kept or not there yet are refused", "[c
   checkRefused(early, read("encoded"));
   small.run(0);
   CHECK_NOTHROW(read("encoded")());
-  checkRefused({ErrorCode::InvalidArgument, "readBuffer", "filtered", "keptBuffers", "share"},
-               read("filtered"));
+  checkRefused({ErrorCode::InvalidArgument, "readBuffer", "variance", "keptBuffers", "share"},
+               read("variance"));
   checkRefused({ErrorCode::InvalidArgument, "readBuffer", "name", "antialiased", "nothing"}, read("nothing"));
   small.denoiser.resetHistory();
   checkRefused(early, read("encoded"));
