@@ -8,7 +8,7 @@
 
 // clang-format off
 #define VARIANCE_OPTIONS(OPTION, SIZE)                                  \
-  OPTION(QUELL_SIGNALS) OPTION(OF_MEAN) OPTION(SKIP) SIZE(surfaceItems) SIZE(temporalFrames)
+  OPTION(QUELL_SIGNALS) OPTION(OF_MEAN) OPTION(ROUGHNESS_STOP) OPTION(SKIP) SIZE(surfaceItems) SIZE(temporalFrames)
 
 #define VARIANCE_PORTS(PORT, IMAGE, OUTPUT)                                                                                    \
   PORT(moments,       READ,  FLOAT, QUELL_MOMENT_PLANES * QUELL_SIGNALS,  ALL,                                   ALWAYS)       \

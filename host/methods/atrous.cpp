@@ -2,6 +2,7 @@
 #include "host/stages/atrous.hpp"
 
 #include "host/methods/atrous_settings.hpp"
+#include "host/methods/method.hpp"
 #include "host/methods/method_table.hpp"
 #include "host/stages/demodulate.hpp"
 

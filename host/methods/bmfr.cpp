@@ -3,6 +3,7 @@
 
 #include "host/core/frame_images.hpp"
 #include "host/methods/bmfr_settings.hpp"
+#include "host/methods/method.hpp"
 #include "host/methods/method_table.hpp"
 #include "host/stages/accumulate_filtered.hpp"
 #include "host/stages/accumulate_noisy.hpp"

@@ -1,6 +1,7 @@
 // quell: history that follows changes of light, then a filter guided by its variance.
 #include <algorithm>
 
+#include "host/methods/method.hpp"
 #include "host/methods/method_table.hpp"
 #include "host/methods/quell_settings.hpp"
 #include "host/stages/accumulate_noisy.hpp"

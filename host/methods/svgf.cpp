@@ -1,4 +1,5 @@
 // svgf: Spatiotemporal Variance-Guided Filtering, Schied et al. 2017.
+#include "host/methods/method.hpp"
 #include "host/methods/method_table.hpp"
 #include "host/methods/svgf_settings.hpp"
 #include "host/stages/accumulate_noisy.hpp"

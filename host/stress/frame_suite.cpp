@@ -123,7 +123,7 @@ class FrameSuite::Runner {
   Output m_output;
 };
 
-std::vector<std::string> frameMethods() { return {"quell", "svgf", "atrous", "bmfr"}; }
+std::vector<std::string> frameMethods() { return methodNames(); }
 
 FrameSuite::FrameSuite(std::string device, const Options& options)
     : m_device(std::move(device)), m_options(options) {}

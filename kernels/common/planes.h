@@ -18,7 +18,8 @@ QUELL_INLINE int planeIndex(PlaneParams planes, int x, int y) {
   const int x = (int)get_global_id(0) * QUELL_LANES;   \
   const int y = (int)get_global_id(1);                 \
   if (x >= planes.width || y >= planes.height) return; \
-  const int index = planeIndex(planes, x, y)
+  const int index = planeIndex(planes, x, y);          \
+  (void)stride, (void)index /* not all kernels want both */
 
 QUELL_INLINE floatL loadLanes(__global const float* plane) {
 #if QUELL_LANES == 1
