@@ -86,6 +86,7 @@ void Denoiser::Implementation::unprepare() {
   m_lastEvent = cl::Event();
   m_frameIndex = 0;
   m_timer.reset();
+  m_content = Content();
   m_contentKnown = false;
   m_pipeline = Pipeline();
   m_configuration.tables.clear();

@@ -46,7 +46,7 @@ Timings Denoiser::Implementation::timings() {
   Timings timings = m_timer->collect();
   const Content content = latestContent();
   const std::vector<std::string> labels = m_pipeline.stageLabels();
-  const std::vector<std::uint64_t> bytes = m_pipeline.stageBytes(content);
+  const std::vector<std::uint64_t> bytes = m_pipeline.stageBytes(m_latestFrame, content);
   const std::vector<Coverage> coverages = m_pipeline.coverages(m_latestFrame);
   for (std::size_t i = 0; i < timings.stages.size(); ++i) {
     timings.stages[i].label = labels[i];

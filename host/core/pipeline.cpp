@@ -81,10 +81,11 @@ std::vector<std::string> Pipeline::stageLabels() const {
   return labels;
 }
 
-std::vector<std::uint64_t> Pipeline::stageBytes(const Content& content) const {
+std::vector<std::uint64_t> Pipeline::stageBytes(const Frame& frame, const Content& content) const {
+  Configuration now = m_configuration;
+  now.frame.camera = frame.camera;
   std::vector<std::uint64_t> bytes;
-  for (const StageRow& row : m_schedule)
-    bytes.push_back(quell::stageBytes(*row.stage, m_configuration, content));
+  for (const StageRow& row : m_schedule) bytes.push_back(quell::stageBytes(*row.stage, now, content));
   return bytes;
 }
 

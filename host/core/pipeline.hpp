@@ -26,7 +26,6 @@ class Pipeline {
            const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule);
 
   const Configuration& configuration() const { return m_configuration; }
-  bool empty() const { return m_schedule.empty(); }
   const Plan& plan() const { return m_plan; }
   const BufferSet& buffers() const { return m_buffers; }
 
@@ -37,7 +36,7 @@ class Pipeline {
   /// Names, labels and bytes of the stages, in their order.
   std::vector<std::string> stageNames() const;
   std::vector<std::string> stageLabels() const;
-  std::vector<std::uint64_t> stageBytes(const Content& content) const;
+  std::vector<std::uint64_t> stageBytes(const Frame& frame, const Content& content) const;
 
   /// Whether some stages leave out background; then surfaces() says where it was in the latest frame. What each stage
   /// works on depends on the frame.

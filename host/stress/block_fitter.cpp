@@ -26,7 +26,15 @@ constexpr Images kImages = {{{&Frame::radiance, &Block::radiance},
                              {&Frame::normalWorld, &Block::normalWorld},
                              {&Frame::positionWorld, &Block::positionRelative}}};
 
-/// The stages with every block a block of the grid: nothing is displaced. `seed` outlives them.
+// Every block is a block of the grid: nothing is displaced.
+FitParams align(FitParams params, const Size& size) {
+  params.blockOffsetX = params.blockOffsetY = 0;
+  params.blocksX = 1;
+  params.blocksY = size.height / kBlockEdge;
+  return params;
+}
+
+/// The stages on that grid. `seed` outlives them.
 class AlignedFit : public Fit {
  public:
   AlignedFit(const Configuration& configuration, double noiseAmplitude, const std::uint32_t& seed)
@@ -34,10 +42,7 @@ class AlignedFit : public Fit {
 
  protected:
   FitParams params(const FrameRun& run) const override {
-    FitParams params = Fit::params(run);
-    params.blockOffsetX = params.blockOffsetY = 0;
-    params.blocksX = 1;
-    params.blocksY = run.frame.size.height / kBlockEdge;
+    FitParams params = align(Fit::params(run), run.frame.size);
     params.noiseSeed = *m_seed;
     return params;
   }
@@ -53,11 +58,7 @@ class AlignedWeightedSum : public WeightedSum {
 
  protected:
   FitParams params(const FrameRun& run) const override {
-    FitParams params = WeightedSum::params(run);
-    params.blockOffsetX = params.blockOffsetY = 0;
-    params.blocksX = 1;
-    params.blocksY = run.frame.size.height / kBlockEdge;
-    return params;
+    return align(WeightedSum::params(run), run.frame.size);
   }
 };
 
