@@ -8,14 +8,16 @@
 namespace quell::tests {
 namespace {
 
-// -log(1 - t), to the fourth power of t.
-double minusLogSeries(double t) {
-  double sum = 0.0, power = 1.0;
-  for (int i = 1; i <= 4; ++i) {
+constexpr int kSeriesTerms = 4;  // of the logarithm, in common/edge_stops.h
+
+// What the kernel's series of -log(1 - t) lacks.
+double missingTerms(double t) {
+  double missing = -std::log1p(-t), power = 1.0;
+  for (int i = 1; i <= kSeriesTerms; ++i) {
     power *= t;
-    sum += power / i;
+    missing -= power / i;
   }
-  return sum;
+  return missing;
 }
 
 // The smaller one-sided difference along an axis; 0 where the image is one pixel wide.
@@ -42,15 +44,24 @@ double EdgeStopsOracle::depthSlope() const {
   return slope + double(QUELL_LEAST_SLOPE) * std::abs(depth.at(0, m_x, m_y));
 }
 
-double EdgeStopsOracle::surfacePenalty(int x, int y, double distance) const {
+double EdgeStopsOracle::cosineTo(int x, int y) const {
   double cosine = 0.0;
   for (int axis = 0; axis < 3; ++axis)
     cosine += double(m_guides.guides.at(QUELL_GUIDE_NORMAL + axis, m_x, m_y)) *
               m_guides.guides.at(QUELL_GUIDE_NORMAL + axis, x, y);
-  const double ofNormal = m_stops.normalPower * minusLogSeries(std::max(1.0 - cosine, 0.0));
+  return std::clamp(cosine, 0.0, 1.0);
+}
+
+double EdgeStopsOracle::surfacePenalty(int x, int y, double distance) const {
   const double depthStep =
       std::abs(double(m_guides.viewDepth.at(0, x, y)) - m_guides.viewDepth.at(0, m_x, m_y));
-  return ofNormal + depthStep * m_stops.inverseDepth / (m_slope * distance);
+  return -m_stops.normalPower * std::log(cosineTo(x, y)) +
+         depthStep * m_stops.inverseDepth / (m_slope * distance);
+}
+
+double EdgeStopsOracle::penaltyError(int x, int y) const {
+  const double cosine = cosineTo(x, y);
+  return cosine > 0.0 ? m_stops.normalPower * missingTerms(1.0 - cosine) : 0.0;
 }
 
 double EdgeStopsOracle::roughnessPenalty(int x, int y) const {

@@ -18,12 +18,15 @@ class EdgeStopsOracle {
  public:
   EdgeStopsOracle(const FilterGuides& guides, const EdgeStopParams& stops, int x, int y);
 
-  /// Of depth and normal; `distance` in pixels.
+  /// Of depth and normal (Schied et al. 2017, eq. 3 and 4); `distance` in pixels. Infinite at 90 degrees and beyond.
   double surfacePenalty(int x, int y, double distance) const;
+  /// By how much the kernel's series may have a smaller penalty: less than 4e-3 where the tap counts at all.
+  double penaltyError(int x, int y) const;
   double roughnessPenalty(int x, int y) const;
 
  private:
   double depthSlope() const;
+  double cosineTo(int x, int y) const;
 
   const FilterGuides& m_guides;
   const EdgeStopParams& m_stops;
