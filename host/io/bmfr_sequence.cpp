@@ -92,15 +92,12 @@ void BmfrSequence::readCameraHeader() {
   m_limits = readLimits(header, path);
 }
 
-/// The published code knows one offset per frame and uses it for the history; it stands for both jitters
-/// here.
 Camera BmfrSequence::cameraOf(int frame) const {
   const auto& offset = m_pixelOffset[std::size_t(frame)];
   Camera camera;
   camera.worldToClip = m_worldToClip[std::size_t(frame)];
   camera.worldToClipPrev = m_worldToClip[std::size_t(std::max(frame - 1, 0))];
-  camera.jitterPxPrev = {offset[0] - kCentreOffsetPx, kCentreOffsetPx - offset[1]};
-  camera.jitterPx = camera.jitterPxPrev;
+  camera.jitterPx = {offset[0] - kCentreOffsetPx, kCentreOffsetPx - offset[1]};
   return camera;
 }
 

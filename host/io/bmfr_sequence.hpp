@@ -10,7 +10,7 @@
 // of frame n: clip.x = m[0][0] x + m[1][0] y + m[2][0] z + m[3][0], y and w alike from m[.][1] and m[.][3];
 //   previous column = (ndc.x + 1) / 2 * width - o.x,   previous row = (ndc.y + 1) / 2 * height - (1 - o.y).
 // Its ndc y points down. In the convention of quell::Camera that is: matrix transposed, y row negated,
-// previous jitter = (o.x - 0.5, 0.5 - o.y).
+// jitter = (o.x - 0.5, 0.5 - o.y).
 #pragma once
 
 #include <memory>

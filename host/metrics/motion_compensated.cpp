@@ -21,19 +21,21 @@ Vector at(const io::Image& image, int x, int y) {
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Pixel index in the frame before and clip.w there; nothing behind the camera.
+// Pixel index in the frame before, where history lives on pixel centres (quell::Camera), and clip.w there; nothing
+// behind the camera.
 struct Place {
   double x, y, clipW;
 };
 
-std::optional<Place> reproject(const Matrix4& worldToClip, const Vector& p, int width, int height) {
+std::optional<Place> reproject(const Camera& camera, const Vector& p, int width, int height) {
   const auto row = [&](std::size_t r) {
-    const double* m = &worldToClip[4 * r];
+    const double* m = &camera.worldToClipPrev[4 * r];
     return m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
   };
   const double w = row(3);
   if (!(w > 0.0)) return std::nullopt;
-  return Place{(0.5 + 0.5 * row(0) / w) * width - 0.5, (0.5 - 0.5 * row(1) / w) * height - 0.5, w};
+  return Place{(0.5 + 0.5 * row(0) / w) * width - 0.5 - camera.jitterPx[0],
+               (0.5 - 0.5 * row(1) / w) * height - 0.5 - camera.jitterPx[1], w};
 }
 
 double lumaAt(const io::Image& image, int x, int y) {
@@ -81,8 +83,7 @@ std::optional<double> lumaBefore(const TrackedFrame& before, const Point& point)
 std::optional<Point> pointAt(const TrackedFrame& frame, int x, int y) {
   Point point{at(frame.positionWorld, x, y), at(frame.normalWorld, x, y), {}};
   if (!(dot(point.normal, point.normal) > 0.0)) return std::nullopt;
-  const auto place =
-      reproject(frame.camera.worldToClipPrev, point.position, frame.encoded.width, frame.encoded.height);
+  const auto place = reproject(frame.camera, point.position, frame.encoded.width, frame.encoded.height);
   if (!place) return std::nullopt;
   point.place = *place;
   if (frame.motion.empty() || frame.objectId.empty()) return point;

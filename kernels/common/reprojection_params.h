@@ -10,7 +10,8 @@ QUELL_NAMESPACE_BEGIN
 
 typedef struct ReprojectionParams {
   // Rows that take a position relative to this frame's camera, (x, y, z, 1), to (a, b, c): the surface point lay at
-  // pixel index (a / c, b / c) of the frame before (0 is the centre of the first pixel); in front of it if c > 0.
+  // pixel index (a / c, b / c) of the frame before (0 is the centre of the first pixel), less this frame's jitter; in
+  // front of it if c > 0.
   QuellFloat4 pixelXPrev;
   QuellFloat4 pixelYPrev;
   QuellFloat4 clipWPrev;
@@ -23,8 +24,6 @@ typedef struct ReprojectionParams {
   QuellFloat4 cameraLow;
   // Previous camera position minus this one, world space (.xyz).
   QuellFloat4 cameraMotion;
-  // Jitter of this frame minus that of the frame before, pixels, x right, y down (.xy): what a motion vector lacks.
-  QuellFloat4 jitterStep;
   // Camera-relative point at view depth 1 seen through pixel index (x, y): x * rayX + y * rayY + rayOrigin.
   QuellFloat4 rayX;
   QuellFloat4 rayY;

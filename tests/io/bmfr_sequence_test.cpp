@@ -79,8 +79,8 @@ Pixel previousPixelOfCamera(const quell::Camera& camera, const double (&p)[3]) {
     const double* row = &camera.worldToClipPrev[4 * r];
     return row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
   };
-  return {(0.5 + 0.5 * clip(0) / clip(3)) * kWidth - 0.5 - camera.jitterPxPrev[0],
-          (0.5 - 0.5 * clip(1) / clip(3)) * kHeight - 0.5 - camera.jitterPxPrev[1]};
+  return {(0.5 + 0.5 * clip(0) / clip(3)) * kWidth - 0.5 - camera.jitterPx[0],
+          (0.5 - 0.5 * clip(1) / clip(3)) * kHeight - 0.5 - camera.jitterPx[1]};
 }
 
 void requireSamePixel(const Pixel& a, const Pixel& b) {

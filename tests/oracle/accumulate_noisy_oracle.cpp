@@ -83,8 +83,8 @@ class PixelOracle {
   }
 
   Place followMotion() {
-    return placeAt(m_x + double(m_inputs.motion.at(m_x, m_y, 0)) + m_params.jitterStep.x,
-                   m_y + double(m_inputs.motion.at(m_x, m_y, 1)) + m_params.jitterStep.y);
+    return placeAt(m_x + double(m_inputs.motion.at(m_x, m_y, 0)),
+                   m_y + double(m_inputs.motion.at(m_x, m_y, 1)));
   }
 
   Place placeAt(double x, double y) {
