@@ -88,17 +88,22 @@ void BmfrSequence::readCameraHeader() {
   for (std::size_t i = 0; i < matrices.size(); i += kMatrixSize)
     m_worldToClip.push_back(toQuellConvention(&matrices[i]));
   for (std::size_t i = 0; i < offsets.size(); i += kOffsetSize)
-    m_pixelOffset.push_back({offsets[i], offsets[i + 1]});
+    m_jitterPx.push_back(requireJitter(path, "pixel_offsets", int(m_jitterPx.size()),
+                                       {offsets[i] - kCentreOffsetPx, kCentreOffsetPx - offsets[i + 1]}));
   m_limits = readLimits(header, path);
 }
 
 Camera BmfrSequence::cameraOf(int frame) const {
-  const auto& offset = m_pixelOffset[std::size_t(frame)];
   Camera camera;
   camera.worldToClip = m_worldToClip[std::size_t(frame)];
   camera.worldToClipPrev = m_worldToClip[std::size_t(std::max(frame - 1, 0))];
-  camera.jitterPx = {offset[0] - kCentreOffsetPx, kCentreOffsetPx - offset[1]};
+  camera.jitterPx = m_jitterPx[std::size_t(frame)];
   return camera;
+}
+
+bool BmfrSequence::jittered() const {
+  return std::any_of(m_frames.begin(), m_frames.end(),
+                     [this](int frame) { return isJittered(cameraOf(frame)); });
 }
 
 FrameData BmfrSequence::read(int frame) const {

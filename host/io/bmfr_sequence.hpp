@@ -39,6 +39,7 @@ class BmfrSequence final : public FrameSequence {
   /// first frame's, Error(FileError) for an unreadable file.
   FrameData read(int frame) const override;
   std::optional<Reference> reference(int frame) const override;
+  bool jittered() const override;
   std::optional<HistoryLimits> historyLimits() const override { return m_limits; }
 
  private:
@@ -47,8 +48,8 @@ class BmfrSequence final : public FrameSequence {
 
   std::string m_directory;
   std::vector<int> m_frames;
-  std::vector<Matrix4> m_worldToClip;                // by frame number
-  std::vector<std::array<double, 2>> m_pixelOffset;  // by frame number, pixels, as published
+  std::vector<Matrix4> m_worldToClip;             // by frame number
+  std::vector<std::array<double, 2>> m_jitterPx;  // by frame number, as quell::Camera has it
   std::optional<HistoryLimits> m_limits;
   int m_width = 0;
   int m_height = 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -35,6 +36,12 @@ Matrix4 toMatrix(const nlohmann::json& rows) {
   return matrix;
 }
 
+/// Throws std::exception, too, for anything but two numbers; what they are is checked by requireJitter().
+std::array<double, 2> toJitter(const nlohmann::json& numbers) {
+  if (numbers.size() != 2) throw std::invalid_argument("jitter_px must have 2 numbers");
+  return {numbers.at(0).get<double>(), numbers.at(1).get<double>()};
+}
+
 }  // namespace
 
 std::map<int, Camera> readCameraFile(const std::string& path) {
@@ -46,11 +53,13 @@ std::map<int, Camera> readCameraFile(const std::string& path) {
       Camera camera;
       camera.worldToClip = toMatrix(entry.at("view_projection"));
       camera.worldToClipPrev = toMatrix(entry.at("previous_view_projection"));
+      if (entry.contains(kJitterKey)) camera.jitterPx = toJitter(entry[kJitterKey]);
       cameras[entry.at("frame").get<int>()] = camera;
     }
   } catch (const std::exception& error) {
     throwFileError(kStage, path, "frames with view_projection and previous_view_projection", error.what());
   }
+  for (const auto& [frame, camera] : cameras) requireJitter(path, kJitterKey, frame, camera.jitterPx);
   return cameras;
 }
 
@@ -88,6 +97,11 @@ FrameData CyclesSequence::read(int frame) const {
   for (const ImageSource& source : m_sources)
     data.*source.image = readImage(source.files.stem, source.files.channels, frame);
   return data;
+}
+
+bool CyclesSequence::jittered() const {
+  return std::any_of(m_frames.begin(), m_frames.end(),
+                     [this](int frame) { return isJittered(m_cameras.at(frame)); });
 }
 
 std::optional<Reference> CyclesSequence::reference(int frame) const {

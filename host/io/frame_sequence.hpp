@@ -58,6 +58,9 @@ class FrameSequence {
   /// The converged rendering of a frame; nothing where the sequence has none for it.
   virtual std::optional<Reference> reference(int frame) const = 0;
 
+  /// Whether the primary rays of some frame leave the centres of their pixels, as far as the files say.
+  virtual bool jittered() const { return false; }
+
   /// The limits that ship with the data; nothing where it has none (the denoiser then derives its own).
   virtual std::optional<HistoryLimits> historyLimits() const { return std::nullopt; }
 };

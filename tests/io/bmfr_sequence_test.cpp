@@ -117,6 +117,17 @@ TEST_CASE("reprojection finds the pixel that the published code finds") {
                      previousPixelAsPublished(kMatrix1, kOffset2, point));
   }
   REQUIRE(sequence.read(1).camera.worldToClip == sequence.read(2).camera.worldToClipPrev);
+  REQUIRE(sequence.jittered());
+  REQUIRE_FALSE(isJittered(sequence.read(0).camera));
+}
+
+TEST_CASE("pixel offsets that leave the pixel and its neighbours are refused") {
+  const SmallSequence files;
+  std::string header = kCameraHeader;
+  header.replace(header.find("0.75f, 0.5f"), 11, "1.75f, 0.5f");
+  files.writeHeader(header);
+  REQUIRE_THROWS_MATCHES(BmfrSequence(files.directory.path()), Error,
+                         failsWith(ErrorCode::FileError, {"pixel_offsets of frame 1", "1.25"}));
 }
 
 TEST_CASE("a single reference file is the whole reference") {

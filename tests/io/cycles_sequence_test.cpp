@@ -21,10 +21,11 @@ namespace {
 
 constexpr int kWidth = 6, kHeight = 4;
 
-std::string cameraEntry(int frame) {
+std::string cameraEntry(int frame, const std::string& more = "") {
   return "{\"frame\": " + std::to_string(frame) +
          ", \"view_projection\": [[1,2,3,4],[5,6,7,8],[9,10,11,12],[13,14,15,16]],"
-         " \"previous_view_projection\": [[0.1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}";
+         " \"previous_view_projection\": [[0.1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]" +
+         more + "}";
 }
 
 /// Frames 3 to 5 with the required buffers and albedo.
@@ -69,6 +70,29 @@ TEST_CASE("a Cycles sequence is read frame by frame") {
   for (std::size_t i = 0; i < 16; ++i) REQUIRE(frame.camera.worldToClip[i] == double(i + 1));
   REQUIRE(frame.camera.worldToClipPrev[0] == 0.1);
   REQUIRE(frame.camera.jitterPx == std::array<double, 2>{0.0, 0.0});
+}
+
+TEST_CASE("jitter of a frame is read where camera.json has it") {
+  const SmallSequence files;
+  REQUIRE_FALSE(openSequence(files.directory.path())->jittered());
+  const auto writeJitter = [&](const std::string& value) {
+    files.writeCamera("{\"frames\": [" + cameraEntry(3) + "," + cameraEntry(4, ", \"jitter_px\": " + value) +
+                      "," + cameraEntry(5) + "]}");
+  };
+  writeJitter("[0.25, -1]");
+  const auto sequence = openSequence(files.directory.path());
+  REQUIRE(sequence->jittered());
+  REQUIRE(sequence->read(4).camera.jitterPx == std::array<double, 2>{0.25, -1.0});
+  REQUIRE(sequence->read(5).camera.jitterPx == std::array<double, 2>{0.0, 0.0});
+  for (const char* value : {"[0.25]", "[0, 0, 0]", "\"no\"", "[0, null]", "0.5", "[0, 1.25]", "[-2, 0]"}) {
+    INFO(value);
+    writeJitter(value);
+    REQUIRE_THROWS_MATCHES(CyclesSequence(files.directory.path()), Error,
+                           failsWith(ErrorCode::FileError, {"camera.json"}));
+  }
+  writeJitter("[0, 1.25]");
+  REQUIRE_THROWS_MATCHES(CyclesSequence(files.directory.path()), Error,
+                         failsWith(ErrorCode::FileError, {"jitter_px of frame 4", "1.25"}));
 }
 
 TEST_CASE("references are optional, and so is their second half") {
