@@ -163,6 +163,7 @@ History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, 
     history.weight += weight;
     history.mask |= QUELL_TAP_ACCEPTED(tap.index);
   }
+  if (normalWeight == 0.0) history.mask |= QUELL_HISTORY_REJECTED;
   if (history.weight == 0.0) return history;
   history.irradiance /= history.weight;
   for (double& moment : history.moments) moment /= history.weight;
