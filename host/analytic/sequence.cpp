@@ -87,7 +87,8 @@ class AnalyticSequence final : public FrameSequence {
   int height() const override { return m_options.height; }
   std::vector<int> frames() const override;
   FrameData read(int frame) const override;
-  std::optional<Reference> reference(int frame) const override;
+  bool hasReference(int frame, ReferenceKind kind) const override;
+  Reference reference(int frame, ReferenceKind kind) const override;
 
  private:
   void requireFrame(const char* function, int frame) const;
@@ -201,10 +202,14 @@ Image AnalyticSequence::renderReference(int frame, std::uint32_t stream) const {
   return image;
 }
 
-std::optional<Reference> AnalyticSequence::reference(int frame) const {
-  requireFrame("reference", frame);
-  if (m_options.referenceSamples == 0) return std::nullopt;
-  return Reference{renderReference(frame, kReferenceStreamA), renderReference(frame, kReferenceStreamB)};
+bool AnalyticSequence::hasReference(int frame, ReferenceKind kind) const {
+  return kind == ReferenceKind::Centre && m_options.referenceSamples > 0 && frame >= 0 &&
+         frame < m_options.frameCount;
+}
+
+Reference AnalyticSequence::reference(int frame, ReferenceKind kind) const {
+  requireReference(*this, frame, kind);
+  return {renderReference(frame, kReferenceStreamA), renderReference(frame, kReferenceStreamB), kind};
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ std::vector<io::ImageSource> referenceImages() {
 }
 
 std::string referenceStem(char half, const io::ImageSource& image) {
-  return fmt::format("ref_{}_{}", half, image.files.stem);
+  return io::referenceStem(io::ReferenceKind::Centre, half, image.files.stem);
 }
 
 std::string joined(const std::string& directory, const std::string& name) {

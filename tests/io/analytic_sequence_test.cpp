@@ -19,6 +19,8 @@ using quell::io::FrameData;
 using quell::io::FrameSequence;
 using quell::io::Image;
 using quell::io::makeAnalyticSequence;
+using quell::io::Reference;
+using quell::io::ReferenceKind;
 using Vec3 = std::array<double, 3>;
 
 namespace {
@@ -240,15 +242,14 @@ TEST_CASE("analytic sequence: the noise averages to the reference", "[io]") {
   options.frameCount = kFrames;
   options.referenceSamples = kFrames;
   const auto sequence = makeAnalyticSequence(options);
-  const auto reference = sequence->reference(0);
-  REQUIRE(reference.has_value());
-  REQUIRE(reference->a.pixels != reference->b.pixels);
+  const Reference reference = sequence->reference(0, ReferenceKind::Centre);
+  REQUIRE(reference.a.pixels != reference.b.pixels);
 
-  const Moments noisy = momentsOfRadiance(*sequence, reference->a.pixels.size());
+  const Moments noisy = momentsOfRadiance(*sequence, reference.a.pixels.size());
   double sumOfNormalised = 0.0;
   int noisyValues = 0;
   for (std::size_t i = 0; i < noisy.mean.size(); ++i) {
-    const double expected = 0.5 * (double(reference->a.pixels[i]) + double(reference->b.pixels[i]));
+    const double expected = 0.5 * (double(reference.a.pixels[i]) + double(reference.b.pixels[i]));
     INFO("value " << i << ": mean " << noisy.mean[i] << ", reference " << expected << ", variance "
                   << noisy.variance[i]);
     if (noisy.variance[i] < kNoiseFreeVariance) {
@@ -268,7 +269,7 @@ TEST_CASE("analytic sequence: the noise averages to the reference", "[io]") {
 }
 
 TEST_CASE("analytic sequence: no reference unless asked for", "[io]") {
-  REQUIRE_FALSE(makeAnalyticSequence(optionsOfSize(8, 8))->reference(0).has_value());
+  REQUIRE_FALSE(makeAnalyticSequence(optionsOfSize(8, 8))->hasReference(0, ReferenceKind::Centre));
 }
 
 TEST_CASE("analytic sequence: frames outside the sequence are refused", "[io][errors]") {
@@ -279,7 +280,7 @@ TEST_CASE("analytic sequence: frames outside the sequence are refused", "[io][er
   REQUIRE_NOTHROW(sequence->read(15));
   for (const int frame : {-1, 16, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()}) {
     REQUIRE_THROWS_AS(sequence->read(frame), Error);
-    REQUIRE_THROWS_AS(sequence->reference(frame), Error);
+    REQUIRE_THROWS_AS(sequence->reference(frame, ReferenceKind::Centre), Error);
   }
 }
 

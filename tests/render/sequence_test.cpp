@@ -60,9 +60,9 @@ TEST_CASE("a rendered directory is a sequence with references", "[render]") {
   CHECK(sequence->width() == 32);
   CHECK(sequence->height() == 18);
   CHECK(sequence->frames() == std::vector<int>{0, 1, 2});
-  CHECK_FALSE(sequence->reference(1).has_value());
-  REQUIRE(sequence->reference(2).has_value());
-  CHECK(sequence->reference(2)->a.pixels != sequence->reference(2)->b.pixels);
+  CHECK_FALSE(sequence->hasReference(1, io::ReferenceKind::Centre));
+  const io::Reference reference = sequence->reference(2, io::ReferenceKind::Centre);
+  CHECK(reference.a.pixels != reference.b.pixels);
   const io::FrameData first = sequence->read(1), second = sequence->read(2);
   CHECK(second.camera.worldToClipPrev == first.camera.worldToClip);
   CHECK(second.camera.worldToClip != first.camera.worldToClip);
