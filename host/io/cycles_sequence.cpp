@@ -104,14 +104,16 @@ bool CyclesSequence::jittered() const {
                      [this](int frame) { return isJittered(m_cameras.at(frame)); });
 }
 
-std::optional<Reference> CyclesSequence::reference(int frame) const {
-  requireFrame(m_directory, m_frames, frame);
-  const auto readHalf = [&](char half) {
-    const std::string stem = fmt::format("ref_{}_{}", half, kColor.stem);
-    return hasFile(m_directory, filesOf(stem)(frame)) ? readImage(stem, kColor.channels, frame) : Image();
-  };
-  Reference reference{readHalf('a'), readHalf('b')};
-  if (reference.a.empty()) return std::nullopt;
+bool CyclesSequence::hasReference(int frame, ReferenceKind kind) const {
+  return hasFile(m_directory, filesOf(referenceStem(kind, 'a', kColor.stem))(frame));
+}
+
+Reference CyclesSequence::reference(int frame, ReferenceKind kind) const {
+  requireReference(*this, frame, kind);
+  const auto stem = [kind](char half) { return referenceStem(kind, half, kColor.stem); };
+  Reference reference{readImage(stem('a'), kColor.channels, frame), {}, kind};
+  if (hasFile(m_directory, filesOf(stem('b'))(frame)))
+    reference.b = readImage(stem('b'), kColor.channels, frame);
   return reference;
 }
 

@@ -9,6 +9,7 @@
 
 #include "host/core/image_schema.hpp"
 #include "host/io/image.hpp"
+#include "host/io/reference.hpp"
 
 namespace quell::io {
 
@@ -31,13 +32,6 @@ struct FrameData {
   bool comparable() const { return !demodulated || !combined.empty(); }
 };
 
-/// Two independent converged renderings of one frame (linear, 3 channels). Their mean is the reference.
-/// With one half only, `b` is empty.
-struct Reference {
-  Image a;
-  Image b;
-};
-
 /// How far apart a surface point and the history sample found for it may be, as published with a data set.
 /// Both are limits of squared Euclidean distances; a sample at or beyond a limit is rejected.
 struct HistoryLimits {
@@ -55,8 +49,10 @@ class FrameSequence {
   virtual std::vector<int> frames() const = 0;  ///< frame numbers present, ascending, without gaps
   virtual FrameData read(int frame) const = 0;  ///< throws Error(FileError | InvalidArgument)
 
-  /// The converged rendering of a frame; nothing where the sequence has none for it.
-  virtual std::optional<Reference> reference(int frame) const = 0;
+  /// Whether there is a converged rendering of this kind; false for a frame that is not there. Reads no pixels.
+  virtual bool hasReference(int frame, ReferenceKind kind) const = 0;
+  /// That rendering. Throws Error(InvalidArgument) where there is none, Error(FileError) where it cannot be read.
+  virtual Reference reference(int frame, ReferenceKind kind) const = 0;
 
   /// Whether the primary rays of some frame leave the centres of their pixels, as far as the files say.
   virtual bool jittered() const { return false; }

@@ -36,7 +36,8 @@ class MultilayerSequence final : public FrameSequence {
   /// Throws Error(InvalidArgument) for a frame that is not there or an image of another size, Error(FileError) for an
   /// unreadable file or a camera that cannot be found (all surfaces in one plane, or none at all).
   FrameData read(int frame) const override;
-  std::optional<Reference> reference(int frame) const override;
+  bool hasReference(int frame, ReferenceKind kind) const override;
+  Reference reference(int frame, ReferenceKind kind) const override;
 
  private:
   void openCameras(const std::string& directory);
