@@ -21,19 +21,21 @@ Vector at(const io::Image& image, int x, int y) {
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+double clipRow(const Matrix4& worldToClip, std::size_t row, const Vector& p) {
+  const double* m = &worldToClip[4 * row];
+  return m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
+}
+
 // Pixel index in the frame before and clip.w there; nothing behind the camera.
 struct Place {
   double x, y, clipW;
 };
 
 std::optional<Place> reproject(const Matrix4& worldToClip, const Vector& p, int width, int height) {
-  const auto row = [&](std::size_t r) {
-    const double* m = &worldToClip[4 * r];
-    return m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
-  };
-  const double w = row(3);
+  const double w = clipRow(worldToClip, 3, p);
   if (!(w > 0.0)) return std::nullopt;
-  return Place{(0.5 + 0.5 * row(0) / w) * width - 0.5, (0.5 - 0.5 * row(1) / w) * height - 0.5, w};
+  return Place{(0.5 + 0.5 * clipRow(worldToClip, 0, p) / w) * width - 0.5,
+               (0.5 - 0.5 * clipRow(worldToClip, 1, p) / w) * height - 0.5, w};
 }
 
 double lumaAt(const io::Image& image, int x, int y) {
@@ -51,8 +53,12 @@ struct Point {
 
 bool sameSurface(const TrackedFrame& before, const Point& point, int x, int y) {
   if (!(dot(at(before.normalWorld, x, y), point.normal) >= kSameSurfaceCosine)) return false;
-  if (point.moved) return before.objectId.at(x, y, 0) == point.objectId;
   const Vector position = at(before.positionWorld, x, y);
+  if (point.moved) {
+    const double change = clipRow(before.camera.worldToClip, 3, position) - point.place.clipW;
+    return before.objectId.at(x, y, 0) == point.objectId &&
+           std::abs(change) <= kMovedDepthShare * point.place.clipW;
+  }
   const Vector step = {position[0] - point.position[0], position[1] - point.position[1],
                        position[2] - point.position[2]};
   const double limit = kSameSurfaceShare * point.place.clipW;
