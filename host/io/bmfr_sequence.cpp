@@ -118,6 +118,10 @@ FrameData BmfrSequence::read(int frame) const {
   return data;
 }
 
+std::string BmfrSequence::fileOf(int frame, const ImageFiles& files) const {
+  return joinPath(m_directory, filesOf(files.stem)(frame));
+}
+
 std::optional<Reference> BmfrSequence::reference(int frame) const {
   requireFrame(m_directory, m_frames, frame);
   const std::string file = filesOf("reference")(frame);

@@ -15,6 +15,7 @@
 #include "host/cli/common/fair_rounds.hpp"
 #include "host/cli/common/output_files.hpp"
 #include "host/cli/common/progress.hpp"
+#include "host/cli/watch/watched_sequence.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/frame_sequence.hpp"
 
@@ -47,7 +48,7 @@ struct DenoiseOptions {
 };
 
 std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
-  if (!options.input.empty()) return io::openSequence(options.input, options.signals);
+  if (!options.input.empty()) return openWatched(options.input, options.signals);
   if (options.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
   const Size size = parseSize(kCommand, options.size);
   io::AnalyticOptions analytic;
