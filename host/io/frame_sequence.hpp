@@ -32,6 +32,7 @@ struct FrameData {
   QUELL_FRAME_IMAGES(QUELL_IMAGE)
 #undef QUELL_IMAGE
   Image combined;  ///< 3 channels, linear radiance as a whole; only where two signals were asked for
+  Image alpha;     ///< 1 channel, of the file of the light as a whole; empty where it has none
   std::vector<FrameWarning> warnings;
   /// True where light is already divided by albedo and gloss colour (two signals, and the layout published with
   /// the BMFR paper).

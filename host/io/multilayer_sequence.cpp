@@ -27,6 +27,7 @@ constexpr char kCompositorLayer[] = "Composite";
 
 constexpr ImageFiles kPosition = factsOf(&FrameData::positionWorld).files;
 constexpr ImageFiles kNormal = factsOf(&FrameData::normalWorld).files;
+constexpr ImageFiles kColor = factsOf(&FrameData::radiance).files;
 constexpr ImageFiles kDepth = factsOf(&FrameData::viewDepth).files;
 
 /// An image is the sum of these.
@@ -232,6 +233,8 @@ FrameData MultilayerSequence::read(int frame) const {
     data.*source.image = source.image == &FrameData::positionWorld
                              ? readPositions(frame, data.camera.worldToClip)
                              : readImage(frame, source.files);
+  if (hasPass(kColor.passes, "A"))
+    data.alpha = readChannelsOfSize(fileOf(frame), channelsOf(kColor.passes, "A"), m_width, m_height);
   for (std::size_t pixel = 0; !data.motion.empty() && pixel < data.normalWorld.pixels.size() / 3; ++pixel) {
     float* motion = &data.motion.pixels[2 * pixel];
     const float* normal = &data.normalWorld.pixels[3 * pixel];

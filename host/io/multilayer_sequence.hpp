@@ -6,6 +6,7 @@
 //
 // The camera comes from camera.json beside the files (cycles_sequence.hpp), whose frame numbers are those of the file
 // names. Without it, it follows from Position and Depth: each is a linear function of the other, up to the pixel.
+// Alpha of Combined is kept beside the frame.
 #pragma once
 
 #include <map>

@@ -188,3 +188,18 @@ TEST_CASE("a frame from which no camera follows goes on with the last one, and s
     CHECK_THAT(warnings[0].remedy, Catch::Contains(done[i]) && Catch::Contains("camera.json"));
   }
 }
+
+TEST_CASE("alpha of Combined is kept") {
+  const TemporaryDirectory directory;
+  Passes passes = passesOf(builtIn()->read(0));
+  writeMultilayer(directory.file("0.exr"), passes);
+  CHECK(openSequence(directory.path())->read(0).alpha.empty());
+  const Image rgba = noiseImage(kWidth, kHeight, 4, 3);
+  passes["Combined"] = rgba;
+  writeMultilayer(directory.file("0.exr"), passes);
+  const FrameData frame = openSequence(directory.path())->read(0);
+  REQUIRE(frame.alpha.channels == 1);
+  CHECK(frame.alpha.at(7, 9, 0) == rgba.at(7, 9, 3));
+  CHECK(frame.radiance.channels == 3);
+  CHECK(frame.radiance.at(7, 9, 2) == rgba.at(7, 9, 2));
+}
