@@ -45,7 +45,7 @@ QUELL_NAMESPACE_END
 // Reprojected positions are rounded to this fraction of a pixel, as texture units do: a static camera then
 // reprojects exactly onto pixel centres, whatever the rounding of the matrices.
 #define QUELL_SUBPIXEL_STEPS 256.0f
-// With motion vectors and no object ids: largest change of view depth from one frame to the next, as a share of it.
+// With motion vectors: largest change of view depth from one frame to the next, as a share of it.
 // Wide: an object may come nearer by a tenth of its distance in a frame; what it uncovers mostly lies farther behind.
 #define QUELL_DEPTH_STEP_LIMIT 0.1f
 

@@ -49,8 +49,7 @@ class PixelOracle {
         m_inputs.objectIdsPrev.at(0, tap.x, tap.y) != m_inputs.objectId.at(m_x, m_y, 0))
       return false;
     if (!sameNormal(s, tap)) return false;
-    if (m_inputs.motion.empty()) return nearPosition(s, tap);
-    return !m_inputs.objectId.empty() || nearDepth(s, tap);
+    return m_inputs.motion.empty() ? nearPosition(s, tap) : nearDepth(s, tap);
   }
 
   // Frames that history may reach back along a surface that turns; `normalPrev` is the mean over the taps of the
