@@ -114,6 +114,13 @@ QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
 }
 #endif
 
+#if INNOVATION
+// A difference of a sample from its history, without rounding.
+QUELL_INLINE floatL innovationOf(floatL difference, floatL least, intL comparable) {
+  return comparable && absLanes(difference) > least ? difference : ZERO_LANES;
+}
+#endif
+
 // Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
 // as a filter tap. The pointers are those of the signal, moved to the pixel.
 QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL mostFrames,
@@ -134,8 +141,11 @@ QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL
   storeLanes3(select3(sample.present, sample.irradiance, splat3(-1.0f)), newestIrradiance, 0, stride);
   const intL comparable = sample.present && hasHistory;
   const float3L step = subtract3(sample.irradiance, history.irradiance);
-  storeLanes(comparable ? luminance(step) : ZERO_LANES, innovation + QUELL_INNOVATION_LUMINANCE * stride);
-  storeLanes(comparable ? step.x - step.z : ZERO_LANES, innovation + QUELL_INNOVATION_CHROMINANCE * stride);
+  const floatL least = QUELL_LEAST_INNOVATION * luminance(sample.irradiance);
+  storeLanes(innovationOf(luminance(step), least, comparable),
+             innovation + QUELL_INNOVATION_LUMINANCE * stride);
+  storeLanes(innovationOf(step.x - step.z, least, comparable),
+             innovation + QUELL_INNOVATION_CHROMINANCE * stride);
 #endif
 #if MOMENTS
   const floatL newest = luminance(sample.irradiance);

@@ -197,10 +197,14 @@ void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int
     outputs.newestIrradiance.at(3 * signal + c, x, y) = present ? sample.value[c] : -1.0;
   }
   if (present && history.weight > 0.0) {
-    const auto step = sample.value - history.irradiance;
-    const int planes = QUELL_INNOVATION_PLANES * signal;
-    outputs.innovation.at(planes + QUELL_INNOVATION_LUMINANCE, x, y) = luminance(step);
-    outputs.innovation.at(planes + QUELL_INNOVATION_CHROMINANCE, x, y) = step[0] - step[2];
+    const Vector3d step = sample.value - history.irradiance;
+    const double rounding = QUELL_LEAST_INNOVATION * luminance(sample.value);
+    const auto store = [&](int plane, double difference) {
+      outputs.innovation.at(QUELL_INNOVATION_PLANES * signal + plane, x, y) =
+          std::abs(difference) > rounding ? difference : 0.0;
+    };
+    store(QUELL_INNOVATION_LUMINANCE, luminance(step));
+    store(QUELL_INNOVATION_CHROMINANCE, step[0] - step[2]);
   }
   outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present                ? sample.weight
                                                          : history.weight > 0.0 ? 1.0
