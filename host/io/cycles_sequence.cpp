@@ -93,6 +93,10 @@ FrameData CyclesSequence::read(int frame) const {
   return data;
 }
 
+std::string CyclesSequence::fileOf(int frame, const ImageFiles& files) const {
+  return joinPath(m_directory, filesOf(files.stem)(frame));
+}
+
 std::optional<Reference> CyclesSequence::reference(int frame) const {
   requireFrame(m_directory, m_frames, frame);
   const auto readHalf = [&](char half) {
