@@ -101,6 +101,10 @@ FrameData CyclesSequence::read(int frame) const {
   return data;
 }
 
+std::string CyclesSequence::fileOf(int frame, const ImageFiles& files) const {
+  return joinPath(m_directory, filesOf(files.stem)(frame));
+}
+
 bool CyclesSequence::jittered() const {
   return std::any_of(m_frames.begin(), m_frames.end(),
                      [this](int frame) { return isJittered(m_cameras.at(frame)); });

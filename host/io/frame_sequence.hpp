@@ -16,7 +16,7 @@ namespace quell::io {
 /// What a user should know about a frame that can be denoised all the same.
 struct FrameWarning {
   /// Of each kind a sequence's first is worth telling.
-  enum class Kind { Camera };
+  enum class Kind { Camera, MissingNormals, PackedNormals, FrozenNoise };
   Kind kind;
   std::string file;
   std::string expected;
@@ -35,6 +35,7 @@ struct FrameData {
   Image combined;  ///< 3 channels, linear radiance as a whole; only where two signals were asked for
   Image alpha;     ///< 1 channel, of the file of the light as a whole; empty where it has none
   std::vector<FrameWarning> warnings;
+  bool repeatsNoise = false;  ///< noise and view are those of the frame before: history is no further sample
   /// True where light is already divided by albedo and gloss colour (two signals, and the layout published with
   /// the BMFR paper).
   bool demodulated = false;

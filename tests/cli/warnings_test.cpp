@@ -81,4 +81,22 @@ TEST_CASE("floats are written on demand alone, and dark light survives in them",
   CHECK_FALSE(samePixels(half, floats));
 }
 
+TEST_CASE("noise that stays the same is reported, and history does without it", "[cli]") {
+  const TemporaryDirectory input, other;
+  const std::string json = other.file("report.json"), out = other.file("out");
+  io::AnalyticOptions options;
+  options.width = kWidth;
+  options.height = kHeight;
+  options.movingCamera = false;
+  const multilayer::Passes passes = multilayer::passesOf(io::makeAnalyticSequence(options)->read(0));
+  for (const char* name : {"0000.exr", "0001.exr", "0002.exr"})
+    multilayer::writeMultilayer(input.file(name), passes);
+  const std::string text =
+      errorStreamOf({"denoise", "--input", input.path(), "--output", out}, 0, other.file("stderr"));
+  CHECK(countOf("quell: warning: ", text) == 1);
+  CHECK_THAT(text, Catch::Contains("0001.exr") && Catch::Contains("noise") && Catch::Contains("seed"));
+  // Each as good as a first frame.
+  CHECK(samePixels(io::readExr(out + "/denoised_0002.exr"), io::readExr(out + "/denoised_0000.exr")));
+}
+
 }  // namespace quell::tests

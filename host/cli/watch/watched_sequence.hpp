@@ -8,7 +8,9 @@
 
 namespace quell::cli {
 
-/// io::openSequence(), and whatever reads from it prints the first warning of each kind.
+/// io::openSequence(), and whatever reads from it prints the first warning of each kind: those of the frames themselves,
+/// normals that are not as the contract says (normal_check.hpp), noise that stays the same (noise_watch.hpp; such frames
+/// have `repeatsNoise` set).
 std::unique_ptr<io::FrameSequence> openWatched(const std::string& path, int signals = 1);
 
 }  // namespace quell::cli
