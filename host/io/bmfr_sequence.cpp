@@ -122,6 +122,10 @@ FrameData BmfrSequence::read(int frame) const {
   return data;
 }
 
+std::string BmfrSequence::fileOf(int frame, const ImageFiles& files) const {
+  return joinPath(m_directory, filesOf(files.stem)(frame));
+}
+
 bool BmfrSequence::hasReference(int frame, ReferenceKind kind) const {
   const ReferenceKind published = jittered() ? ReferenceKind::Antialiased : ReferenceKind::Centre;
   return kind == published && hasFile(m_directory, referenceFiles()(frame));

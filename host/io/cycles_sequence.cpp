@@ -80,6 +80,7 @@ CyclesSequence::CyclesSequence(std::string directory, int signals)
   }
 
   const ExrHeader first = readExrHeader(joinPath(m_directory, filesOf(kColor.stem)(m_frames.front())));
+  m_hasAlpha = std::count(first.channels.begin(), first.channels.end(), "A") > 0;
   m_width = first.width;
   m_height = first.height;
 }
@@ -96,6 +97,7 @@ FrameData CyclesSequence::read(int frame) const {
   data.demodulated = m_demodulated;
   for (const ImageSource& source : m_sources)
     data.*source.image = readImage(source.files.stem, source.files.channels, frame);
+  if (m_hasAlpha) data.alpha = readImage(kColor.stem, "A", frame);
   return data;
 }
 

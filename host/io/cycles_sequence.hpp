@@ -2,7 +2,7 @@
 //
 // For each frame NNNN (at least four digits, numbers without gaps): color_NNNN.exr, shading_normal_NNNN.exr and
 // world_position_NNNN.exr; for all frames or none the other images of the contract, under the names and with the
-// channels that quell/frame_images.h says; for two signals diffuse_irradiance_NNNN.exr and glossy_radiance_NNNN.exr,
+// channels that quell/frame_images.h says, and A beside the colour; for two signals diffuse_irradiance_NNNN.exr and glossy_radiance_NNNN.exr,
 // light before albedo and gloss colour;
 // for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference through pixel centres, and
 // ref_aa_a_color_NNNN.exr and ref_aa_b_color_NNNN.exr, those of the antialiased one. Other files are ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
@@ -55,6 +55,7 @@ class CyclesSequence final : public FrameSequence {
   int m_width = 0;
   int m_height = 0;
   bool m_demodulated = false;
+  bool m_hasAlpha = false;             ///< channel A beside the colour
   std::vector<ImageSource> m_sources;  ///< of the images that the directory has
 };
 

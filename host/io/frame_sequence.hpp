@@ -13,6 +13,17 @@
 
 namespace quell::io {
 
+/// What a user should know about a frame that can be denoised all the same.
+struct FrameWarning {
+  /// Of each kind a sequence's first is worth telling.
+  enum class Kind { Camera };
+  Kind kind;
+  std::string file;
+  std::string expected;
+  std::string got;
+  std::string remedy;  ///< what is done about it, and what would cure it
+};
+
 /// One frame in host memory. Images share one size; an absent optional one is empty.
 struct FrameData {
   int number = 0;  ///< frame number within its sequence, >= 0
@@ -22,6 +33,8 @@ struct FrameData {
   QUELL_FRAME_IMAGES(QUELL_IMAGE)
 #undef QUELL_IMAGE
   Image combined;  ///< 3 channels, linear radiance as a whole; only where two signals were asked for
+  Image alpha;     ///< 1 channel, of the file of the light as a whole; empty where it has none
+  std::vector<FrameWarning> warnings;
   /// True where light is already divided by albedo and gloss colour (two signals, and the layout published with
   /// the BMFR paper).
   bool demodulated = false;
@@ -48,6 +61,8 @@ class FrameSequence {
   virtual int height() const = 0;               ///< pixels, >= 1
   virtual std::vector<int> frames() const = 0;  ///< frame numbers present, ascending, without gaps
   virtual FrameData read(int frame) const = 0;  ///< throws Error(FileError | InvalidArgument)
+  /// The file that an image of a frame comes from, for messages.
+  virtual std::string fileOf(int /*frame*/, const ImageFiles& /*files*/) const { return name(); }
 
   /// Whether there is a converged rendering of this kind; false for a frame that is not there. Reads no pixels.
   virtual bool hasReference(int frame, ReferenceKind kind) const = 0;

@@ -49,8 +49,7 @@ class PixelOracle {
         m_inputs.objectIdsPrev.at(0, tap.x, tap.y) != m_inputs.objectId.at(m_x, m_y, 0))
       return false;
     if (!sameNormal(s, tap)) return false;
-    if (m_inputs.motion.empty()) return nearPosition(s, tap);
-    return !m_inputs.objectId.empty() || nearDepth(s, tap);
+    return m_inputs.motion.empty() ? nearPosition(s, tap) : nearDepth(s, tap);
   }
 
   // Frames that history may reach back along a surface that turns; `normalPrev` is the mean over the taps of the
@@ -163,6 +162,7 @@ History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, 
     history.weight += weight;
     history.mask |= QUELL_TAP_ACCEPTED(tap.index);
   }
+  if (normalWeight == 0.0) history.mask |= QUELL_HISTORY_REJECTED;
   if (history.weight == 0.0) return history;
   history.irradiance /= history.weight;
   for (double& moment : history.moments) moment /= history.weight;
@@ -197,10 +197,14 @@ void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int
     outputs.newestIrradiance.at(3 * signal + c, x, y) = present ? sample.value[c] : -1.0;
   }
   if (present && history.weight > 0.0) {
-    const auto step = sample.value - history.irradiance;
-    const int planes = QUELL_INNOVATION_PLANES * signal;
-    outputs.innovation.at(planes + QUELL_INNOVATION_LUMINANCE, x, y) = luminance(step);
-    outputs.innovation.at(planes + QUELL_INNOVATION_CHROMINANCE, x, y) = step[0] - step[2];
+    const Vector3d step = sample.value - history.irradiance;
+    const double rounding = QUELL_LEAST_INNOVATION * luminance(sample.value);
+    const auto store = [&](int plane, double difference) {
+      outputs.innovation.at(QUELL_INNOVATION_PLANES * signal + plane, x, y) =
+          std::abs(difference) > rounding ? difference : 0.0;
+    };
+    store(QUELL_INNOVATION_LUMINANCE, luminance(step));
+    store(QUELL_INNOVATION_CHROMINANCE, step[0] - step[2]);
   }
   outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present                ? sample.weight
                                                          : history.weight > 0.0 ? 1.0

@@ -1,0 +1,48 @@
+#include "host/cli/watch/watched_sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <utility>
+
+#include "host/cli/common/progress.hpp"
+
+namespace quell::cli {
+namespace {
+
+using Kind = io::FrameWarning::Kind;
+
+class WatchedSequence final : public io::FrameSequence {
+ public:
+  explicit WatchedSequence(std::unique_ptr<io::FrameSequence> sequence) : m_sequence(std::move(sequence)) {}
+
+  std::string name() const override { return m_sequence->name(); }
+  int width() const override { return m_sequence->width(); }
+  int height() const override { return m_sequence->height(); }
+  std::vector<int> frames() const override { return m_sequence->frames(); }
+  std::string fileOf(int frame, const ImageFiles& files) const override {
+    return m_sequence->fileOf(frame, files);
+  }
+  std::optional<io::Reference> reference(int frame) const override { return m_sequence->reference(frame); }
+  std::optional<io::HistoryLimits> historyLimits() const override { return m_sequence->historyLimits(); }
+
+  io::FrameData read(int frame) const override {
+    io::FrameData data = m_sequence->read(frame);
+    for (const io::FrameWarning& warning : data.warnings)
+      if (m_told.insert(warning.kind).second) warn(warning);
+    return data;
+  }
+
+ private:
+  std::unique_ptr<io::FrameSequence> m_sequence;
+  // Reading changes what was said, not what is read.
+  mutable std::set<Kind> m_told;
+};
+
+}  // namespace
+
+std::unique_ptr<io::FrameSequence> openWatched(const std::string& path, int signals) {
+  return std::make_unique<WatchedSequence>(io::openSequence(path, signals));
+}
+
+}  // namespace quell::cli

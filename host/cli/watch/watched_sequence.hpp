@@ -1,0 +1,14 @@
+// Sequences that say on standard error what is odd about their frames.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "host/io/frame_sequence.hpp"
+
+namespace quell::cli {
+
+/// io::openSequence(), and whatever reads from it prints the first warning of each kind.
+std::unique_ptr<io::FrameSequence> openWatched(const std::string& path, int signals = 1);
+
+}  // namespace quell::cli
