@@ -13,8 +13,8 @@ namespace quell::tests {
 namespace {
 
 // Error on data/colonnade, frame 15, measured on PoCL 3.1.
-constexpr double kDataUnbiasedRmse = 0.0995;
-constexpr double kDataSsim = 0.760;
+constexpr double kDataUnbiasedRmse = 0.1001;
+constexpr double kDataSsim = 0.768;
 // Ten kilometres, the distance at which a denoiser that uses raw float positions falls apart.
 constexpr std::array<double, 3> kFarAway = {7071.0, 7071.0, 10.0};
 

@@ -66,8 +66,8 @@ class SequenceEvaluator {
                                 {sequence.width(), sequence.height()},
                                 input.frames.size(),
                                 {},
-                                m_references.linearKind(),
-                                true});
+                                true,
+                                m_references.linearKind()});
     for (const int number : input.frames) {
       const auto& reference = m_references.of(number);
       if (!reference) continue;
