@@ -72,7 +72,7 @@ typedef struct PreviousPlanes {
 // Adds tap i, where it is `wanted` and shows this surface, to the history of every signal that it has a sample of.
 QUELL_INLINE void addSurfaceTap(PreviousPlanes previous, AccumulateNoisyParams params, Surface surface,
                                 intL objectId, floatL limitSquared, intL wanted, BilinearTaps taps, int i,
-                                History* history, intL* mask, Turn* turn) {
+                                History* history, intL* mask, intL* met, Turn* turn) {
   const int stride = params.planes.stride;
   const int offset = tapOffset(params.planes, i);
   const float3L position =
@@ -82,6 +82,7 @@ QUELL_INLINE void addSurfaceTap(PreviousPlanes previous, AccumulateNoisyParams p
   const intL same = wanted && taps.inFrame[i] &&
                     sameHistory(params.reprojection, surface, objectId, position, normal,
                                 previous.objectIds + offset, taps.plan, limitSquared);
+  *met = *met || (same && taps.weight[i] > 0.0f);
   *turn = addNormal(*turn, same ? taps.weight[i] : ZERO_LANES, normal);
   UNROLL_ON_GPU
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
@@ -113,6 +114,13 @@ QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
 }
 #endif
 
+#if INNOVATION
+// A difference of a sample from its history, without rounding.
+QUELL_INLINE floatL innovationOf(floatL difference, floatL least, intL comparable) {
+  return comparable && absLanes(difference) > least ? difference : ZERO_LANES;
+}
+#endif
+
 // Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
 // as a filter tap. The pointers are those of the signal, moved to the pixel.
 QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL mostFrames,
@@ -133,8 +141,11 @@ QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL
   storeLanes3(select3(sample.present, sample.irradiance, splat3(-1.0f)), newestIrradiance, 0, stride);
   const intL comparable = sample.present && hasHistory;
   const float3L step = subtract3(sample.irradiance, history.irradiance);
-  storeLanes(comparable ? luminance(step) : ZERO_LANES, innovation + QUELL_INNOVATION_LUMINANCE * stride);
-  storeLanes(comparable ? step.x - step.z : ZERO_LANES, innovation + QUELL_INNOVATION_CHROMINANCE * stride);
+  const floatL least = QUELL_LEAST_INNOVATION * luminance(sample.irradiance);
+  storeLanes(innovationOf(luminance(step), least, comparable),
+             innovation + QUELL_INNOVATION_LUMINANCE * stride);
+  storeLanes(innovationOf(step.x - step.z, least, comparable),
+             innovation + QUELL_INNOVATION_CHROMINANCE * stride);
 #endif
 #if MOMENTS
   const floatL newest = luminance(sample.irradiance);
@@ -167,7 +178,11 @@ QUELL_INLINE void storeBackground(AccumulateNoisyParams params, FrameImages imag
 #if FILTER_GUIDES
   storeLanes((floatL)(params.reprojection.viewDepth.w), viewDepth + index);
 #endif
-  if (params.antialiasBackground == 0) return;
+  if (params.antialiasBackground == 0) {
+    // Antialiasing of surfaces next to it asks whether they alone have lost their history.
+    storeByteLanes((intL)(0), reprojectionMask + index);
+    return;
+  }
   Surface none;
   none.position = splat3(0.0f);
   none.normal = none.position;
@@ -213,11 +228,13 @@ __kernel void accumulate_noisy(STAGE_ARGUMENTS(ACCUMULATE_NOISY) AccumulateNoisy
     mask[s] = inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0);
   }
   const intL wanted = inside && surface.valid;
+  intL met = (intL)(0);  // lanes whose surface was in the frame before
   Turn turn = beginTurn(params.reprojection, planes, surface, xPrev, yPrev);
   if (anyLane(wanted)) {
     UNROLL_ON_GPU
     for (int i = 0; i < 4; ++i)
-      addSurfaceTap(previous, params, surface, objectId, limitSquared, wanted, taps, i, history, mask, &turn);
+      addSurfaceTap(previous, params, surface, objectId, limitSquared, wanted, taps, i, history, mask, &met,
+                    &turn);
   }
 
   turn = endTurn(turn, params.reprojection, surface);
@@ -232,7 +249,8 @@ __kernel void accumulate_noisy(STAGE_ARGUMENTS(ACCUMULATE_NOISY) AccumulateNoisy
         historyLength + s * stride + index, newestIrradiance + 3 * s * stride + index,
         innovation + QUELL_INNOVATION_PLANES * s * stride + index);
     storeLanes(weight, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
-    storeByteLanes(mask[s], reprojectionMask + s * stride + index);
+    storeByteLanes(mask[s] | (wanted && !met ? (intL)(QUELL_HISTORY_REJECTED) : (intL)(0)),
+                   reprojectionMask + s * stride + index);
   }
   storeLanes3(surface.position, guides + QUELL_GUIDE_POSITION * stride, index, stride);
   storeLanes3(surface.normal, guides + QUELL_GUIDE_NORMAL * stride, index, stride);

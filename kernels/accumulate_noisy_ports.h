@@ -31,7 +31,7 @@
   PORT(moments,           WRITE,    FLOAT, QUELL_MOMENT_PLANES * QUELL_SIGNALS,     SURFACES,                              MOMENTS)         \
   PORT(objectIds,         WRITE,    INT,   1,                                       SURFACES,                              HAS(objectId))   \
   PORT(pixelPrev,         WRITE,    FLOAT, 2,                                       WHERE_REPROJECTED,                     ALWAYS)          \
-  PORT(reprojectionMask,  WRITE,    UCHAR, QUELL_SIGNALS,                           WHERE_REPROJECTED,                     ALWAYS)          \
+  PORT(reprojectionMask,  WRITE,    UCHAR, QUELL_SIGNALS,                           ALL,                                   ALWAYS)          \
   PORT(viewDepth,         WRITE,    FLOAT, 1,                                       ALL,                                   FILTER_GUIDES)   \
   PORT(roughness,         WRITE,    FLOAT, 1,                                       SURFACES,                              FILTER_GUIDES && HAS(roughness))\
   F_BETA_KEPT_PORT(PORT, WRITE, SURFACES)                                                                                                   \

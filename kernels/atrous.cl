@@ -3,7 +3,8 @@
 //          Flatval 2020, ch. 3.2.1 and 3.2.2: edge stops on depth, normal and luminance, the latter in standard
 //          deviations of the 3x3-prefiltered variance; variance is filtered with squared weights.
 // In:      irradiance (3 planes per signal), its variance of luminance (1 plane per signal; with VARIANCE), guides, view
-//          depth and, with ROUGHNESS_STOP, roughness.
+//          depth and, with ROUGHNESS_STOP, roughness; with STOP_LUMINANCE the luminance that the stops compare (1 plane per
+//          signal; see variance.cl).
 // Out:     irradiance and, with FILTER_VARIANCE, variance, filtered; that is 0 in background next to surfaces.
 // Signals: share the penalties of the surface; each has its own weight, luminance and variance. The roughness stop is
 //          for the glossy signal, or for the only one.
@@ -11,7 +12,7 @@
 //          With TAP_CORNERS 0 without the four corners, which have the least weight.
 // Border:  taps outside the image are left out and the weights renormalised. A pixel without a sample takes what its
 //          neighbours have, whatever their luminance.
-// Departures: see common/edge_stops.h.
+// Departures: see common/edge_stops.h; with STOP_LUMINANCE the penalty of luminance is squared.
 #include "atrous_ports.h"
 #include "common/edge_stops.h"
 #include "common/luminance.h"
@@ -79,7 +80,23 @@ typedef struct FilterPlanes {
   __global const float* guides;
   __global const float* viewDepth;
   __global const float* roughness;
+  __global const float* stopLuminance;
 } FilterPlanes;
+
+// The luminance that edge stops compare: that of the value, or with STOP_LUMINANCE its mean around the pixel.
+QUELL_INLINE floatL stopLuminanceOf(FilterPlanes from, float3L value, int index) {
+#if STOP_LUMINANCE
+  return loadLanes(from.stopLuminance + index);
+#else
+  return luminance(value);
+#endif
+}
+
+// Means over several pixels are nearly normally distributed: what is within their noise costs next to nothing then.
+QUELL_INLINE floatL luminancePenalty(FilterSums sums, floatL tapLuminance) {
+  const floatL step = absLanes(tapLuminance - sums.luminance) * sums.inverseLuminance;
+  return STOP_LUMINANCE ? step * step : step;
+}
 
 // 1 / sqrt(x^2 + y^2) for the offsets of a 5x5 filter.
 QUELL_INLINE float inverseDistance(int x, int y) {
@@ -102,7 +119,7 @@ QUELL_INLINE void addTap(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, Fi
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const float3L value = loadLanes3(from.irradiance + 3 * s * stride, index, stride);
     floatL signalPenalty =
-        penalty + absLanes(luminance(value) - sums[s].luminance) * sums[s].inverseLuminance;
+        penalty + luminancePenalty(sums[s], stopLuminanceOf(from, value, s * stride + index));
 #if ROUGHNESS_STOP
     if (s == QUELL_SIGNALS - 1) signalPenalty += roughnessPenalty(centre, loadLanes(from.roughness + index));
 #endif
@@ -147,7 +164,7 @@ __kernel void atrous(STAGE_ARGUMENTS(ATROUS) AtrousParams params) {
   // The prefilter of the variance reads background next to surfaces, in both buffers that iterations write by turns.
   LEAVE_OUT_BACKGROUND(if (FILTER_VARIANCE && params.iteration <= 2)
                            ZERO_NEXT_TO_SURFACES(filteredVariance, QUELL_SIGNALS))
-  const FilterPlanes from = {irradiance, variance, guides, viewDepth, roughness};
+  const FilterPlanes from = {irradiance, variance, guides, viewDepth, roughness, stopLuminance};
   const int reach = TAP_RADIUS * params.step;
   const int atBorder =
       x < reach || y < reach || x + QUELL_LANES + reach > planes.width || y + reach >= planes.height;
@@ -157,7 +174,7 @@ __kernel void atrous(STAGE_ARGUMENTS(ATROUS) AtrousParams params) {
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const float3L value = loadLanes3(irradiance + 3 * s * stride, index, stride);
     const floatL weight = loadLanes(guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
-    sums[s].luminance = luminance(value);
+    sums[s].luminance = stopLuminanceOf(from, value, s * stride + index);
     floatL deviation = ONE_LANES;
     floatL ownVariance = ZERO_LANES;
 #if VARIANCE

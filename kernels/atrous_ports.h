@@ -8,7 +8,7 @@
 
 // clang-format off
 #define ATROUS_OPTIONS(OPTION, SIZE)                                                                                           \
-  OPTION(QUELL_SIGNALS) OPTION(VARIANCE) OPTION(FILTER_VARIANCE) OPTION(ROUGHNESS_STOP) OPTION(TAP_RADIUS) OPTION(TAP_CORNERS) \
+  OPTION(QUELL_SIGNALS) OPTION(VARIANCE) OPTION(STOP_LUMINANCE) OPTION(FILTER_VARIANCE) OPTION(ROUGHNESS_STOP) OPTION(TAP_RADIUS) OPTION(TAP_CORNERS) \
   OPTION(SKIP) SIZE(surfaceItems)
 
 #define ATROUS_PORTS(PORT, IMAGE, OUTPUT)                                                                                  \
@@ -17,6 +17,7 @@
   PORT(guides,             READ,  FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS), PLANES(3 + QUELL_SIGNALS), ALWAYS)          \
   PORT(viewDepth,          READ,  FLOAT, 1,                                    ALL,                       ALWAYS)          \
   PORT(roughness,          READ,  FLOAT, 1,                                    ALL,                       ROUGHNESS_STOP)  \
+  PORT(stopLuminance,      READ,  FLOAT, QUELL_SIGNALS,                        ALL,                       STOP_LUMINANCE)        \
   PORT(filteredIrradiance, WRITE, FLOAT, 3 * QUELL_SIGNALS,                    ALL,                       ALWAYS)          \
   PORT(filteredVariance,   WRITE, FLOAT, QUELL_SIGNALS,                        ALL,                       FILTER_VARIANCE) \
   SURFACES_PORT(PORT)

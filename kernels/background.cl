@@ -4,8 +4,8 @@
 //          met in the same way in every frame and needs no antialiasing over time.
 // In:      the caller's radiance (or diffuse and glossy radiance), emission, albedo and gloss colour; surfaces (see
 //          common/surfaces.h).
-// Out:     linear radiance in the caller's layout, display-encoded radiance as 3 planes (next to surfaces, which
-//          bound their history with it), as history of temporal_antialiasing (3 planes) and in the caller's layout.
+// Out:     radiance in the caller's layout, linear and encoded for display; as 3 planes next to surfaces, which bound their
+//          history with it, and as history of temporal_antialiasing (3 planes).
 #include "background_ports.h"
 #include "common/display_encoding.h"
 #include "common/material.h"
@@ -37,16 +37,17 @@ __kernel void background(STAGE_ARGUMENTS(BACKGROUND) BackgroundParams params) {
   if (!isBackground(surfaces, planes, x, y)) return;
   const int lanes = min(QUELL_LANES, planes.width - x);
   const float3L radiance = clamp3(backgroundRadiance(images, x, y, lanes), 0.0f, QUELL_MAX_RADIANCE);
+#if ANTIALIAS
+  if (params.finish == 0 || isNearSurface(surfaces, planes, x, y))
+    storeLanes3(radiance, denoised, index, stride);
+  if (params.finish != 0) storeLanes3(radiance, antialiased, index, stride);
+#endif
 #if LINEAR_FORMAT
-  STORE_PIXELS(LINEAR, radiance, linearData, params.outputs.linear, x, y, lanes);
+  if (!ANTIALIAS_LINEAR || params.finish != 0)
+    STORE_PIXELS(LINEAR, radiance, linearData, params.outputs.linear, x, y, lanes);
 #endif
 #if DISPLAY_FORMAT
-  const float3L shown = encodeDisplay3(radiance);
-#if ANTIALIAS
-  if (params.finish == 0 || isNearSurface(surfaces, planes, x, y)) storeLanes3(shown, encoded, index, stride);
-  if (params.finish == 0) return;
-  storeLanes3(shown, antialiased, index, stride);
-#endif
-  STORE_PIXELS(DISPLAY, shown, displayData, params.outputs.display, x, y, lanes);
+  if (params.finish != 0)
+    STORE_PIXELS(DISPLAY, encodeDisplay3(radiance), displayData, params.outputs.display, x, y, lanes);
 #endif
 }

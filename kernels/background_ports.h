@@ -7,12 +7,12 @@
 
 // clang-format off
 #define BACKGROUND_OPTIONS(OPTION, SIZE)                                                                                                   \
-  OPTION(QUELL_SIGNALS) OPTION(DEMODULATED) OPTION(DEMODULATE) OPTION(ANTIALIAS) OPTION(SKIP) SIZE(surfaceItems) SIZE(antialiasBackground)
+  OPTION(QUELL_SIGNALS) OPTION(DEMODULATED) OPTION(DEMODULATE) OPTION(ANTIALIAS) OPTION(ANTIALIAS_LINEAR) OPTION(SKIP) SIZE(surfaceItems) SIZE(antialiasBackground)
 
 #define BACKGROUND_PORTS(PORT, IMAGE, OUTPUT)                                            \
   LIGHT_IMAGES(IMAGE, 1)                                                                 \
   SURFACES_PORT(PORT)                                                                    \
-  PORT(encoded,     WRITE, FLOAT, 3, antialiasBackground ? 1 : NEAR_SURFACES, ANTIALIAS) \
+  PORT(denoised,    WRITE, FLOAT, 3, antialiasBackground ? 1 : NEAR_SURFACES, ANTIALIAS) \
   PORT(antialiased, WRITE, FLOAT, 3, antialiasBackground ? 0 : 1,           ANTIALIAS)   \
   OUTPUT(linear, LINEAR, 1, ALWAYS)                                                      \
   OUTPUT(display, DISPLAY, antialiasBackground ? 0 : 1, ALWAYS)

@@ -5,8 +5,9 @@
 //          map to the renderer).
 // In:      filtered irradiance (3 planes per signal), guides, the caller's radiance (or diffuse and glossy radiance),
 //          emission, albedo and gloss colour; F_beta (3 planes) where light was divided by it.
-// Out:     linear radiance in the caller's layout, finite, in [0, 65504]; display-encoded radiance in [0, 1] as 3 planes
-//          (for temporal_antialiasing) or in the caller's layout (without it); of each what the caller wants.
+// Out:     linear radiance, finite, in [0, 65504]: as 3 planes for temporal_antialiasing, which then writes the display
+//          image, and with ANTIALIAS_LINEAR the linear one, or in the caller's layout; without it encoded for display, in
+//          [0, 1], as well; of each what the caller wants.
 //          Background and broken surfaces pass the signal through; a missing sample there is black.
 #include "common/display_encoding.h"
 #include "common/guides.h"
@@ -44,11 +45,11 @@ __kernel void remodulate(STAGE_ARGUMENTS(REMODULATE) RemodulateParams params) {
     radianceOut = add3(radianceOut, remodulateSignal(material.signals[s], value, surface));
   }
   radianceOut = clamp3(radianceOut, 0.0f, QUELL_MAX_RADIANCE);
-#if LINEAR_FORMAT
+#if LINEAR_FORMAT && !ANTIALIAS_LINEAR
   STORE_PIXELS(LINEAR, radianceOut, linearData, params.outputs.linear, x, y, lanes);
 #endif
 #if WRITE_PLANES
-  storeLanes3(encodeDisplay3(radianceOut), encoded, index, stride);
+  storeLanes3(radianceOut, denoised, index, stride);
 #elif DISPLAY_FORMAT
   STORE_PIXELS(DISPLAY, encodeDisplay3(radianceOut), displayData, params.outputs.display, x, y, lanes);
 #endif

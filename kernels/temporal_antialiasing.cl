@@ -1,11 +1,16 @@
-// temporal_antialiasing: blends the display-encoded frame with its clamped history.
+// temporal_antialiasing: blends the frame with its clamped history, in linear radiance.
 // Paper:   Koskela et al. 2019, last step of phase III, after Karis 2014; as in the reference implementation the
-//          history is clamped in YCoCg to the mean of the bounds of the 3x3 box and of its cross, and the newest frame
-//          weighs 0.2.
-// In:      encoded frame (3 planes, [0, 1]), encoded output of the frame before, pixel index in the frame before,
-//          reprojection mask (of the first signal). Out: encoded output as history (3 planes) and in the caller's layout.
+//          history is clamped in YCoCg to the mean of the bounds of the 3x3 box and of its cross.
+// In:      radiance of the frame (3 planes, [0, 65504]), antialiased radiance of the frame before, pixel index in the frame
+//          before, reprojection mask (of the first signal). Out: antialiased radiance as history (3 planes), for display
+//          in the caller's layout, and with ANTIALIAS_LINEAR as it is in the caller's layout.
 // Border:  neighbours and taps outside the image are left out and the bilinear weights renormalised.
-// Departures: a pixel that was outside the frame before keeps the newest colour (the reference divides 0 by 0 there).
+// Departures: radiance is blended, and encoded for display afterwards, as a pixel's area averages light: the reference
+//          blends encoded values and lets the newest frame weigh 0.2, which with a filter as steady as ours blurs more
+//          than it smooths (sweep, docs/quell-sweep.md). A pixel that was outside the frame before keeps the newest colour
+//          (the reference divides 0 by 0 there), and so does one whose history accumulation has rejected, if it did so for
+//          the pixels around as well: alone it is a silhouette, which antialiasing is for.
+#include "common/display_encoding.h"
 #include "common/guides.h"
 #include "common/reprojection.h"
 #include "common/surfaces.h"
@@ -50,7 +55,7 @@ typedef struct Neighbourhood {
 
 // Bounds over the 3x3 neighbours. At the border those outside stand back for the centre; `atBorder` is constant, so
 // that the inside of the image pays nothing for it.
-QUELL_INLINE Neighbourhood boundsAround(__global const float* encoded, PlaneParams planes, int x, int y,
+QUELL_INLINE Neighbourhood boundsAround(__global const float* denoised, PlaneParams planes, int x, int y,
                                         float3L centre, int atBorder) {
   const int index = planeIndex(planes, x, y);
   const intL column = x + LANE_INDEX;
@@ -60,7 +65,7 @@ QUELL_INLINE Neighbourhood boundsAround(__global const float* encoded, PlanePara
   result.box = result.cross;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
-      float3L neighbour = toYCoCg(loadLanes3(encoded, index + dy * planes.pitch + dx, planes.stride));
+      float3L neighbour = toYCoCg(loadLanes3(denoised, index + dy * planes.pitch + dx, planes.stride));
       if (atBorder) {
         const intL inside = column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
                             (intL)(y + dy) < planes.height;
@@ -73,6 +78,25 @@ QUELL_INLINE Neighbourhood boundsAround(__global const float* encoded, PlanePara
   return result;
 }
 
+// Whether the pixel lay inside the frame before and not only history of something else was met there and around.
+QUELL_INLINE intL historyCounts(__global const uchar* reprojectionMask, PlaneParams planes, int x, int y) {
+  const int index = planeIndex(planes, x, y);
+  const intL own = loadByteLanes(reprojectionMask + index);
+  const intL inFrame = (own & QUELL_PREV_IN_FRAME) != 0;
+  intL rejected = (own & QUELL_HISTORY_REJECTED) != 0;
+  if (!anyLane(rejected)) return inFrame;
+  const intL column = x + LANE_INDEX;
+  for (int dy = -1; dy <= 1; ++dy) {
+    if (y + dy < 0 || y + dy >= planes.height) continue;
+    for (int dx = -1; dx <= 1; ++dx) {
+      const intL mask = loadByteLanes(reprojectionMask + index + dy * planes.pitch + dx);
+      const intL outside = column + dx < 0 || column + dx >= planes.width;
+      rejected = rejected && (outside || (mask & QUELL_HISTORY_REJECTED) != 0);
+    }
+  }
+  return inFrame && !rejected;
+}
+
 QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA, floatL highB) {
   return minLanes(maxLanes(v, 0.5f * (lowA + lowB)), 0.5f * (highA + highB));
 }
@@ -81,14 +105,14 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
                                         TemporalAntialiasingParams params) {
   BEGIN_PIXELS(params.planes);
   if (params.antialiasBackground == 0) LEAVE_OUT_BACKGROUND(NOTHING_ELSE)  // the stage background has done it
-  const float3L newest = loadLanes3(encoded, index, stride);
+  const float3L newest = loadLanes3(denoised, index, stride);
   const float3L centre = toYCoCg(newest);
   const int atBorder = x == 0 || y == 0 || x + QUELL_LANES >= planes.width || y == planes.height - 1;
   Neighbourhood around;
   if (atBorder) {
-    around = boundsAround(encoded, planes, x, y, centre, 1);
+    around = boundsAround(denoised, planes, x, y, centre, 1);
   } else {
-    around = boundsAround(encoded, planes, x, y, centre, 0);
+    around = boundsAround(denoised, planes, x, y, centre, 0);
   }
   const Bounds box = around.box;
   const Bounds cross = around.cross;
@@ -102,18 +126,20 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
     sum = add3(sum, scale3(gatherLanes3(antialiasedPrev + tapOffset(planes, i), taps.plan, stride), weight));
     weightSum += weight;
   }
-  const intL hasHistory =
-      (loadByteLanes(reprojectionMask + index) & QUELL_PREV_IN_FRAME) != 0 && weightSum > 0.0f;
+  const intL hasHistory = historyCounts(reprojectionMask, planes, x, y) && weightSum > 0.0f;
   float3L history = toYCoCg(scale3(sum, 1.0f / (hasHistory ? weightSum : ONE_LANES)));
   history.x = clampToMean(history.x, box.low.x, cross.low.x, box.high.x, cross.high.x);
   history.y = clampToMean(history.y, box.low.y, cross.low.y, box.high.y, cross.high.y);
   history.z = clampToMean(history.z, box.low.z, cross.low.z, box.high.z, cross.high.z);
   const float3L blended = add3(scale3(newest, (floatL)(params.newestWeight)),
                                scale3(toRgb(history), (floatL)(1.0f - params.newestWeight)));
-  const float3L result = clamp3(select3(hasHistory, blended, newest), 0.0f, 1.0f);
+  const float3L result = clamp3(select3(hasHistory, blended, newest), 0.0f, QUELL_MAX_RADIANCE);
   storeLanes3(result, antialiased, index, stride);
+  const int lanes = min(QUELL_LANES, planes.width - x);
+#if ANTIALIAS_LINEAR && LINEAR_FORMAT
+  STORE_PIXELS(LINEAR, result, linearData, params.outputs.linear, x, y, lanes);
+#endif
 #if DISPLAY_FORMAT
-  STORE_PIXELS(DISPLAY, result, displayData, params.outputs.display, x, y,
-               min(QUELL_LANES, planes.width - x));
+  STORE_PIXELS(DISPLAY, encodeDisplay3(result), displayData, params.outputs.display, x, y, lanes);
 #endif
 }

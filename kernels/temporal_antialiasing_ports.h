@@ -7,14 +7,15 @@
 
 // clang-format off
 #define TEMPORAL_ANTIALIASING_OPTIONS(OPTION, SIZE)   \
-  OPTION(SKIP) SIZE(QUELL_SIGNALS) SIZE(surfaceItems)
+  OPTION(SKIP) OPTION(ANTIALIAS_LINEAR) SIZE(QUELL_SIGNALS) SIZE(surfaceItems)
 
 #define TEMPORAL_ANTIALIASING_PORTS(PORT, IMAGE, OUTPUT)                    \
-  PORT(encoded,          READ,     FLOAT, 3,             ALL,       ALWAYS) \
+  PORT(denoised,         READ,     FLOAT, 3,             ALL,       ALWAYS) \
   PORT(antialiasedPrev,  PREVIOUS, FLOAT, 3,             HISTORIES, ALWAYS) \
   PORT(pixelPrev,        READ,     FLOAT, 2,             ALL,       ALWAYS) \
   PORT(reprojectionMask, READ,     UCHAR, QUELL_SIGNALS, PLANES(1), ALWAYS) \
   PORT(antialiased,      WRITE,    FLOAT, 3,             ALL,       ALWAYS) \
+  OUTPUT(linear, LINEAR, 1, ANTIALIAS_LINEAR)                               \
   OUTPUT(display, DISPLAY, 1, ALWAYS)                                       \
   SURFACES_PORT(PORT)
 // clang-format on

@@ -2,12 +2,16 @@
 // Paper:   Schied et al. 2017, section 4.2, after Flatval 2020, ch. 3.2.2: second moment minus squared first moment;
 //          "when few samples have been accumulated at a given pixel, its variance is instead computed using its
 //          neighbors by a bilateral filter with feature weights", 7x7 pixels.
-// In:      moments of luminance (2 planes per signal), history length (bytes per signal), guides, view depth.
+// In:      moments of luminance (2 planes per signal), history length (bytes per signal), guides, view depth; with
+//          STOP_LUMINANCE irradiance (3 planes per signal).
 // Out:     variance (1 plane per signal), >= 0; with OF_MEAN that of the accumulated irradiance: divided by the
 //          history length. 0 in background next to surfaces.
+//          With STOP_LUMINANCE the luminance of the irradiance over 3x3 pixels (1 plane per signal), for the edge stops of
+//          the first iterations of atrous: one pixel's is too noisy to tell an edge.
 // Border:  taps outside the image are left out.
 // Departures: the spatial estimate is raised by temporalFrames / history length: the moments of one frame know less.
 #include "common/edge_stops.h"
+#include "common/luminance.h"
 #include "common/surfaces.h"
 #include "variance_ports.h"
 
@@ -51,12 +55,38 @@ QUELL_INLINE floatL momentsToVariance(floatL first, floatL second) {
   return maxLanes(second - first * first, ZERO_LANES);
 }
 
+#if STOP_LUMINANCE
+// Luminance over 3x3 pixels with the weights of a binomial, of what has a sample.
+QUELL_INLINE floatL prefilterLuminance(__global const float* irradiance, __global const float* weights,
+                                       PlaneParams planes, int x, int y) {
+  floatL sum = ZERO_LANES;
+  floatL weightSum = ZERO_LANES;
+  for (int dy = -1; dy <= 1; ++dy) {
+    if (y + dy < 0 || y + dy >= planes.height) continue;
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int index = planeIndex(planes, x + dx, y + dy);
+      const intL column = x + dx + LANE_INDEX;
+      const intL inside = column >= 0 && column < planes.width;
+      const float binomial = (float)((2 - abs(dx)) * (2 - abs(dy)));
+      const floatL weight = inside ? binomial * loadLanes(weights + index) : ZERO_LANES;
+      sum += weight * luminance(loadLanes3(irradiance, index, planes.stride));
+      weightSum += weight;
+    }
+  }
+  return sum / (weightSum > 0.0f ? weightSum : ONE_LANES);
+}
+#endif
+
 __kernel void variance(STAGE_ARGUMENTS(VARIANCE) VarianceParams params) {
   BEGIN_PIXELS(params.planes);
   LEAVE_OUT_BACKGROUND(ZERO_NEXT_TO_SURFACES(variance, QUELL_SIGNALS))
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     __global const float* signalMoments = moments + QUELL_MOMENT_PLANES * s * stride;
     __global const float* weights = guides + (QUELL_GUIDE_WEIGHT + s) * stride;
+#if STOP_LUMINANCE
+    storeLanes(prefilterLuminance(irradiance + 3 * s * stride, weights, planes, x, y),
+               stopLuminance + s * stride + index);
+#endif
     floatL result = momentsToVariance(loadLanes(signalMoments + QUELL_MOMENT_FIRST * stride + index),
                                       loadLanes(signalMoments + QUELL_MOMENT_SECOND * stride + index));
     const intL length = loadByteLanes(historyLength + s * stride + index);

@@ -48,7 +48,6 @@ Camera toCamera(const quell_camera& given) {
   std::copy(std::begin(given.worldToClipPrev), std::end(given.worldToClipPrev),
             camera.worldToClipPrev.begin());
   camera.jitterPx = {given.jitterPx[0], given.jitterPx[1]};
-  camera.jitterPxPrev = {given.jitterPxPrev[0], given.jitterPxPrev[1]};
   return camera;
 }
 

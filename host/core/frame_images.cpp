@@ -14,9 +14,4 @@ void requireFBetaImages(const Configuration& configuration) {
                 {"prepare", "roughness", "an image, since light is divided by F_beta", "none"});
 }
 
-bool isJittered(const Camera& camera) {
-  const std::array<double, 2> centred{0.0, 0.0};
-  return camera.jitterPx != centred || camera.jitterPxPrev != centred;
-}
-
 }  // namespace quell

@@ -16,7 +16,4 @@ bool dividesByFBeta(const Configuration& configuration);
 /// Throws Error(InvalidArgument) if that is asked for without a roughness image.
 void requireFBetaImages(const Configuration& configuration);
 
-/// Whether this frame or the one before was sampled off the pixel centres.
-bool isJittered(const Camera& camera);
-
 }  // namespace quell

@@ -76,13 +76,15 @@ QuellFloat4 combine(const Row& a, double scaleA, const Row& b, double scaleB) {
   return toFloat4(scaleA * a.linear + scaleB * b.linear, scaleA * a.constant + scaleB * b.constant);
 }
 
-// Rows that give pixel indices in the frame before, the viewport and the jitter folded in.
+// Rows that give pixel indices in the frame before, the viewport folded in. This frame's jitter is taken off,
+// as Koskela et al. 2019 do: a sample counts for its pixel's centre in every frame, so what a still camera sees
+// keeps its pixel and its history averages the samples of that pixel.
 void setPreviousRows(ReprojectionParams& params, const Camera& camera, Size size, glm::dvec3 origin) {
   const Row x = rowRelativeTo(camera.worldToClipPrev, 0, origin);
   const Row y = rowRelativeTo(camera.worldToClipPrev, 1, origin);
   const Row w = rowRelativeTo(camera.worldToClipPrev, 3, origin);
-  params.pixelXPrev = combine(x, 0.5 * size.width, w, 0.5 * size.width - 0.5 - camera.jitterPxPrev[0]);
-  params.pixelYPrev = combine(y, -0.5 * size.height, w, 0.5 * size.height - 0.5 - camera.jitterPxPrev[1]);
+  params.pixelXPrev = combine(x, 0.5 * size.width, w, 0.5 * size.width - 0.5 - camera.jitterPx[0]);
+  params.pixelYPrev = combine(y, -0.5 * size.height, w, 0.5 * size.height - 0.5 - camera.jitterPx[1]);
   params.clipWPrev = toFloat4(w.linear, w.constant);
 }
 
@@ -105,9 +107,10 @@ void setViewRays(ReprojectionParams& params, const Camera& camera, Size size) {
   params.rayY = toFloat4(ray(firstX, firstY - 2.0 / size.height) - first, 0.0);
 }
 
-void checkJitter(const std::array<double, 2>& jitter, const char* name) {
-  for (const double component : jitter)
-    if (!(std::abs(component) <= 1.0)) refuse(name, "pixels in [-1, 1]", std::to_string(component));
+void checkJitter(const Camera& camera) {
+  for (const double component : camera.jitterPx)
+    if (!(std::abs(component) <= kMaxJitterPx))
+      refuse("jitterPx", "pixels in [-1, 1]", std::to_string(component));
 }
 
 }  // namespace
@@ -121,7 +124,7 @@ std::array<double, 3> cameraPositionWorld(const Matrix4& worldToClip, const char
 
 ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const DiscardLimits& limits,
                                           bool historyValid) {
-  checkJitter(camera.jitterPx, "jitterPx");
+  checkJitter(camera);
   const glm::dvec3 origin = position(camera.worldToClip, "worldToClip");
   ReprojectionParams params{};
   params.historyValid = historyValid ? 1 : 0;
@@ -136,11 +139,8 @@ ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const
   setViewRays(params, camera, size);
 
   if (historyValid) {
-    checkJitter(camera.jitterPxPrev, "jitterPxPrev");
     const glm::dvec3 originPrev = position(camera.worldToClipPrev, "worldToClipPrev");
     params.cameraMotion = toFloat4(originPrev - origin, 0.0);
-    params.jitterStep = toFloat4(
-        {camera.jitterPx[0] - camera.jitterPxPrev[0], camera.jitterPx[1] - camera.jitterPxPrev[1], 0.0}, 0.0);
     setPreviousRows(params, camera, size, origin);
   }
 

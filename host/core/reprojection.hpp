@@ -16,7 +16,7 @@ struct DiscardLimits {
 };
 
 /// Throws Error(InvalidArgument) naming the matrix if one is not finite or cannot be a camera.
-/// `historyValid` is false on the first frame; worldToClipPrev and jitterPxPrev are then ignored.
+/// `historyValid` is false on the first frame; worldToClipPrev is then ignored.
 ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const DiscardLimits& limits,
                                           bool historyValid);
 

@@ -30,6 +30,8 @@ FrameFileName filesOf(const std::string& stem) {
   return [stem](int frame) { return fmt::format("{}{}.exr", stem, frame); };
 }
 
+FrameFileName referenceFiles() { return filesOf("reference"); }
+
 /// From m[column][row] with y down to row-major with y up.
 Matrix4 toQuellConvention(const double* published) {
   Matrix4 matrix{};
@@ -88,20 +90,22 @@ void BmfrSequence::readCameraHeader() {
   for (std::size_t i = 0; i < matrices.size(); i += kMatrixSize)
     m_worldToClip.push_back(toQuellConvention(&matrices[i]));
   for (std::size_t i = 0; i < offsets.size(); i += kOffsetSize)
-    m_pixelOffset.push_back({offsets[i], offsets[i + 1]});
+    m_jitterPx.push_back(requireJitter(path, "pixel_offsets", int(m_jitterPx.size()),
+                                       {offsets[i] - kCentreOffsetPx, kCentreOffsetPx - offsets[i + 1]}));
   m_limits = readLimits(header, path);
 }
 
-/// The published code knows one offset per frame and uses it for the history; it stands for both jitters
-/// here.
 Camera BmfrSequence::cameraOf(int frame) const {
-  const auto& offset = m_pixelOffset[std::size_t(frame)];
   Camera camera;
   camera.worldToClip = m_worldToClip[std::size_t(frame)];
   camera.worldToClipPrev = m_worldToClip[std::size_t(std::max(frame - 1, 0))];
-  camera.jitterPxPrev = {offset[0] - kCentreOffsetPx, kCentreOffsetPx - offset[1]};
-  camera.jitterPx = camera.jitterPxPrev;
+  camera.jitterPx = m_jitterPx[std::size_t(frame)];
   return camera;
+}
+
+bool BmfrSequence::jittered() const {
+  return std::any_of(m_frames.begin(), m_frames.end(),
+                     [this](int frame) { return isJittered(cameraOf(frame)); });
 }
 
 FrameData BmfrSequence::read(int frame) const {
@@ -122,11 +126,15 @@ std::string BmfrSequence::fileOf(int frame, const ImageFiles& files) const {
   return joinPath(m_directory, filesOf(files.stem)(frame));
 }
 
-std::optional<Reference> BmfrSequence::reference(int frame) const {
-  requireFrame(m_directory, m_frames, frame);
-  const std::string file = filesOf("reference")(frame);
-  if (!hasFile(m_directory, file)) return std::nullopt;
-  return Reference{readLettersOfSize(joinPath(m_directory, file), "RGB", m_width, m_height), {}};
+bool BmfrSequence::hasReference(int frame, ReferenceKind kind) const {
+  const ReferenceKind published = jittered() ? ReferenceKind::Antialiased : ReferenceKind::Centre;
+  return kind == published && hasFile(m_directory, referenceFiles()(frame));
+}
+
+Reference BmfrSequence::reference(int frame, ReferenceKind kind) const {
+  requireReference(*this, frame, kind);
+  return {
+      readLettersOfSize(joinPath(m_directory, referenceFiles()(frame)), "RGB", m_width, m_height), {}, kind};
 }
 
 }  // namespace quell::io

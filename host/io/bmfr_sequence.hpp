@@ -2,7 +2,8 @@
 // Real-Time Path-Tracing Reconstruction" (BMFR).
 //
 // Per frame n (numbers unpadded, without gaps): color<n>.exr, shading_normal<n>.exr, world_position<n>.exr,
-// albedo<n>.exr, three channels each; optionally reference<n>.exr. The colour has albedo divided out already,
+// albedo<n>.exr, three channels each; optionally reference<n>.exr, of rays that went where those of the noisy frames did:
+// antialiased where they are jittered. The colour has albedo divided out already,
 // so FrameData::demodulated is true. camera_matrices.h is a C header with camera_matrices[N][4][4],
 // pixel_offsets[N][2] and, optionally, the two limits position_limit_squared and normal_limit_squared.
 //
@@ -10,7 +11,7 @@
 // of frame n: clip.x = m[0][0] x + m[1][0] y + m[2][0] z + m[3][0], y and w alike from m[.][1] and m[.][3];
 //   previous column = (ndc.x + 1) / 2 * width - o.x,   previous row = (ndc.y + 1) / 2 * height - (1 - o.y).
 // Its ndc y points down. In the convention of quell::Camera that is: matrix transposed, y row negated,
-// previous jitter = (o.x - 0.5, 0.5 - o.y).
+// jitter = (o.x - 0.5, 0.5 - o.y).
 #pragma once
 
 #include <memory>
@@ -39,7 +40,9 @@ class BmfrSequence final : public FrameSequence {
   /// first frame's, Error(FileError) for an unreadable file.
   FrameData read(int frame) const override;
   std::string fileOf(int frame, const ImageFiles& files) const override;
-  std::optional<Reference> reference(int frame) const override;
+  bool hasReference(int frame, ReferenceKind kind) const override;
+  Reference reference(int frame, ReferenceKind kind) const override;
+  bool jittered() const override;
   std::optional<HistoryLimits> historyLimits() const override { return m_limits; }
 
  private:
@@ -48,8 +51,8 @@ class BmfrSequence final : public FrameSequence {
 
   std::string m_directory;
   std::vector<int> m_frames;
-  std::vector<Matrix4> m_worldToClip;                // by frame number
-  std::vector<std::array<double, 2>> m_pixelOffset;  // by frame number, pixels, as published
+  std::vector<Matrix4> m_worldToClip;             // by frame number
+  std::vector<std::array<double, 2>> m_jitterPx;  // by frame number, as quell::Camera has it
   std::optional<HistoryLimits> m_limits;
   int m_width = 0;
   int m_height = 0;

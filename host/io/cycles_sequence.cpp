@@ -36,6 +36,12 @@ Matrix4 toMatrix(const nlohmann::json& rows) {
   return matrix;
 }
 
+/// Throws std::exception, too, for anything but two numbers; what they are is checked by requireJitter().
+std::array<double, 2> toJitter(const nlohmann::json& numbers) {
+  if (numbers.size() != 2) throw std::invalid_argument("jitter_px must have 2 numbers");
+  return {numbers.at(0).get<double>(), numbers.at(1).get<double>()};
+}
+
 }  // namespace
 
 std::map<int, Camera> readCameraFile(const std::string& path) {
@@ -47,11 +53,13 @@ std::map<int, Camera> readCameraFile(const std::string& path) {
       Camera camera;
       camera.worldToClip = toMatrix(entry.at("view_projection"));
       camera.worldToClipPrev = toMatrix(entry.at("previous_view_projection"));
+      if (entry.contains(kJitterKey)) camera.jitterPx = toJitter(entry[kJitterKey]);
       cameras[entry.at("frame").get<int>()] = camera;
     }
   } catch (const std::exception& error) {
     throwFileError(kStage, path, "frames with view_projection and previous_view_projection", error.what());
   }
+  for (const auto& [frame, camera] : cameras) requireJitter(path, kJitterKey, frame, camera.jitterPx);
   return cameras;
 }
 
@@ -97,14 +105,21 @@ std::string CyclesSequence::fileOf(int frame, const ImageFiles& files) const {
   return joinPath(m_directory, filesOf(files.stem)(frame));
 }
 
-std::optional<Reference> CyclesSequence::reference(int frame) const {
-  requireFrame(m_directory, m_frames, frame);
-  const auto readHalf = [&](char half) {
-    const std::string stem = fmt::format("ref_{}_{}", half, kColor.stem);
-    return hasFile(m_directory, filesOf(stem)(frame)) ? readImage(stem, kColor.channels, frame) : Image();
-  };
-  Reference reference{readHalf('a'), readHalf('b')};
-  if (reference.a.empty()) return std::nullopt;
+bool CyclesSequence::jittered() const {
+  return std::any_of(m_frames.begin(), m_frames.end(),
+                     [this](int frame) { return isJittered(m_cameras.at(frame)); });
+}
+
+bool CyclesSequence::hasReference(int frame, ReferenceKind kind) const {
+  return hasFile(m_directory, filesOf(referenceStem(kind, 'a', kColor.stem))(frame));
+}
+
+Reference CyclesSequence::reference(int frame, ReferenceKind kind) const {
+  requireReference(*this, frame, kind);
+  const auto stem = [kind](char half) { return referenceStem(kind, half, kColor.stem); };
+  Reference reference{readImage(stem('a'), kColor.channels, frame), {}, kind};
+  if (hasFile(m_directory, filesOf(stem('b'))(frame)))
+    reference.b = readImage(stem('b'), kColor.channels, frame);
   return reference;
 }
 

@@ -4,10 +4,10 @@
 // world_position_NNNN.exr; for all frames or none the other images of the contract, under the names and with the
 // channels that quell/frame_images.h says, and A beside the colour; for two signals diffuse_irradiance_NNNN.exr and glossy_radiance_NNNN.exr,
 // light before albedo and gloss colour;
-// for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference. Other files are
-// ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
-// ...]}, in the convention of quell::Camera: row-major, column vectors, NDC y up, rays through pixel centres
-// (no jitter).
+// for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference through pixel centres, and
+// ref_aa_a_color_NNNN.exr and ref_aa_b_color_NNNN.exr, those of the antialiased one. Other files are ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
+// ...]}, in the convention of quell::Camera: row-major, column vectors, NDC y up, without jitter. A frame's entry may have
+// "jitter_px": [x, y], too, where the primary rays left the pixel centres; without it they went through them.
 #pragma once
 
 #include <map>
@@ -22,6 +22,8 @@ namespace quell::io {
 
 /// The file of a directory that marks this layout.
 constexpr char kCyclesCameraFile[] = "camera.json";
+/// Of a frame in it: Camera::jitterPx.
+constexpr char kJitterKey[] = "jitter_px";
 
 /// The cameras of a camera.json by frame. Throws Error(FileError).
 std::map<int, Camera> readCameraFile(const std::string& path);
@@ -41,7 +43,9 @@ class CyclesSequence final : public FrameSequence {
   /// first frame's, Error(FileError) for an unreadable file.
   FrameData read(int frame) const override;
   std::string fileOf(int frame, const ImageFiles& files) const override;
-  std::optional<Reference> reference(int frame) const override;
+  bool hasReference(int frame, ReferenceKind kind) const override;
+  Reference reference(int frame, ReferenceKind kind) const override;
+  bool jittered() const override;
 
  private:
   Image readImage(const std::string& stem, const char* channels, int frame) const;

@@ -9,6 +9,7 @@
 
 #include "host/core/image_schema.hpp"
 #include "host/io/image.hpp"
+#include "host/io/reference.hpp"
 
 namespace quell::io {
 
@@ -45,13 +46,6 @@ struct FrameData {
   bool comparable() const { return !demodulated || !combined.empty(); }
 };
 
-/// Two independent converged renderings of one frame (linear, 3 channels). Their mean is the reference.
-/// With one half only, `b` is empty.
-struct Reference {
-  Image a;
-  Image b;
-};
-
 /// How far apart a surface point and the history sample found for it may be, as published with a data set.
 /// Both are limits of squared Euclidean distances; a sample at or beyond a limit is rejected.
 struct HistoryLimits {
@@ -71,8 +65,13 @@ class FrameSequence {
   /// The file that an image of a frame comes from, for messages.
   virtual std::string fileOf(int /*frame*/, const ImageFiles& /*files*/) const { return name(); }
 
-  /// The converged rendering of a frame; nothing where the sequence has none for it.
-  virtual std::optional<Reference> reference(int frame) const = 0;
+  /// Whether there is a converged rendering of this kind; false for a frame that is not there. Reads no pixels.
+  virtual bool hasReference(int frame, ReferenceKind kind) const = 0;
+  /// That rendering. Throws Error(InvalidArgument) where there is none, Error(FileError) where it cannot be read.
+  virtual Reference reference(int frame, ReferenceKind kind) const = 0;
+
+  /// Whether the primary rays of some frame leave the centres of their pixels, as far as the files say.
+  virtual bool jittered() const { return false; }
 
   /// The limits that ship with the data; nothing where it has none (the denoiser then derives its own).
   virtual std::optional<HistoryLimits> historyLimits() const { return std::nullopt; }

@@ -245,9 +245,11 @@ FrameData MultilayerSequence::read(int frame) const {
   return data;
 }
 
-std::optional<Reference> MultilayerSequence::reference(int frame) const {
-  requireFrame(m_name, m_frames, frame);
-  return std::nullopt;
+bool MultilayerSequence::hasReference(int /*frame*/, ReferenceKind /*kind*/) const { return false; }
+
+Reference MultilayerSequence::reference(int frame, ReferenceKind kind) const {
+  requireReference(*this, frame, kind);
+  return {};
 }
 
 }  // namespace quell::io

@@ -40,7 +40,8 @@ class MultilayerSequence final : public FrameSequence {
   /// last one before that has one, else standInCamera(), and a warning.
   FrameData read(int frame) const override;
   std::string fileOf(int frame, const ImageFiles&) const override { return fileOf(frame); }
-  std::optional<Reference> reference(int frame) const override;
+  bool hasReference(int frame, ReferenceKind kind) const override;
+  Reference reference(int frame, ReferenceKind kind) const override;
 
  private:
   void openCameras(const std::string& directory);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <optional>
+#include <quell/camera.hpp>
 
 #include "host/io/exr_image.hpp"
 #include "host/io/file_error.hpp"
@@ -80,6 +82,17 @@ void requireFrame(const std::string& directory, const std::vector<int>& frames, 
   throw Error(ErrorCode::InvalidArgument,
               {"read frame", directory, fmt::format("a frame from {} to {}", frames.front(), frames.back()),
                std::to_string(frame)});
+}
+
+std::array<double, 2> requireJitter(const std::string& path, const char* name, int frame,
+                                    std::array<double, 2> jitterPx) {
+  for (const double component : jitterPx)
+    if (!(std::abs(component) <= kMaxJitterPx))
+      throwFileError(
+          kStage, path,
+          fmt::format("{} of frame {} at most {} pixel off the pixel centre", name, frame, kMaxJitterPx),
+          fmt::format("{}, {} off", jitterPx[0], jitterPx[1]));
+  return jitterPx;
 }
 
 Image readChannelsOfSize(const std::string& path, const std::vector<std::string>& channels, int width,

@@ -1,6 +1,7 @@
 // What the sequence layouts share: finding numbered files and reading images of one size.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -33,6 +34,11 @@ bool hasFrameFiles(const std::string& directory, const FrameFileName& fileName,
 
 /// Throws Error(InvalidArgument) unless `frame` is one of `frames`.
 void requireFrame(const std::string& directory, const std::vector<int>& frames, int frame);
+
+/// `jitterPx` if both numbers are within kMaxJitterPx. Throws Error(FileError) naming the file, the name of the numbers
+/// in it, and the frame.
+std::array<double, 2> requireJitter(const std::string& path, const char* name, int frame,
+                                    std::array<double, 2> jitterPx);
 
 /// Reads channels of these names from an OpenEXR file that must have the given size.
 /// Throws Error(FileError), or Error(InvalidArgument) naming the file, the size expected and the size found.

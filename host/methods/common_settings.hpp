@@ -38,6 +38,7 @@ inline DiscardLimits discardLimits(const DiscardSettings& s) {
 struct AntialiasingSettings {
   bool taa = false;
   double taaNewestWeight = 0.0;
+  bool jitteredRays = false;
 };
 
 inline SettingTable<AntialiasingSettings> antialiasingSettings() {
@@ -45,9 +46,14 @@ inline SettingTable<AntialiasingSettings> antialiasingSettings() {
   SettingTable<S> table;
   table.add("taa", &S::taa, true, "temporal antialiasing of the display output",
             "Koskela et al. 2019, phase III");
-  table.add("taaNewestWeight", &S::taaNewestWeight, 0.2, {0.001, 1.0},
+  table.add("taaNewestWeight", &S::taaNewestWeight, 0.5, {0.001, 1.0},
             "weight of the newest frame in temporal antialiasing",
             "Koskela et al. 2019, reference implementation");
+  table.add("jitteredRays", &S::jitteredRays, false,
+            "primary rays are jittered inside their pixels: the linear output is antialiased over time as "
+            "well, and "
+            "background takes part",
+            "ours: each frame's silhouettes are one sample's");
   return table;
 }
 

@@ -21,17 +21,21 @@ std::vector<Wire> atrousWires(const FilterLevel& in, const FilterLevel& out) {
 }
 
 bool antialiases(const Configuration& configuration, const AntialiasingSettings& antialiasing) {
-  return configuration.output.display.present() && antialiasing.taa;
+  const Output& output = configuration.output;
+  const bool wanted = output.display.present() || (antialiasing.jitteredRays && output.linear.present());
+  return wanted && antialiasing.taa;
 }
 
 void addOutputStages(Schedule& table, const Configuration& configuration, const std::string& filtered,
                      const AntialiasingSettings& antialiasing, bool skip, BackgroundAntialiasing background) {
   const bool taa = antialiases(configuration, antialiasing);
-  const bool always = background == BackgroundAntialiasing::Always;
+  const bool always = background == BackgroundAntialiasing::Always || antialiasing.jitteredRays;
+  const bool linear = taa && antialiasing.jitteredRays;
   requireFBetaImages(configuration);
-  if (skip) add(table, Background(configuration, taa, always));
-  add(table, Remodulate(configuration, taa, skip), {{"filtered", filtered}});
-  if (taa) add(table, TemporalAntialiasing(configuration, antialiasing.taaNewestWeight, skip && !always));
+  if (skip) add(table, Background(configuration, {taa, always, linear}));
+  add(table, Remodulate(configuration, {taa, linear, skip}), {{"filtered", filtered}});
+  if (taa)
+    add(table, TemporalAntialiasing(configuration, {antialiasing.taaNewestWeight, linear, skip && !always}));
 }
 
 }  // namespace quell

@@ -35,7 +35,7 @@ enum class BackgroundAntialiasing {
   Always,
 };
 
-/// Whether the display image is antialiased over time.
+/// Whether the display image, or with jittered rays the linear one, is antialiased over time.
 bool antialiases(const Configuration& configuration, const AntialiasingSettings& antialiasing);
 
 /// Adds the lines from filtered irradiance, in the buffer `filtered`, to the caller's images: background (with `skip`),

@@ -41,6 +41,7 @@ void addAccumulation(Schedule& table, const Configuration& configuration, const 
   setup.mostFramesStill = mostFramesStill(s);
   setup.skip = s.common.skip;
   setup.innovation = followsChange;
+  setup.antialiasBackground = s.common.antialiasing.jitteredRays;
   add(table, AccumulateNoisy(configuration, setup));
   if (!followsChange) return;
   const ChangeDetection detection = changeDetection(s);
@@ -52,12 +53,13 @@ void addAccumulation(Schedule& table, const Configuration& configuration, const 
 void addFilter(Schedule& table, const Configuration& configuration, const QuellSettings& s) {
   Atrous::Setup setup;
   setup.stops = s.stops;
-  setup.luminanceSigma = s.luminanceSigma;
   setup.sharpRoughness = s.sharpRoughness;
   setup.variance = true;
   setup.skip = s.common.skip;
   for (int i = 1; i <= s.iterations; ++i) {
     setup.iteration = i;
+    setup.stopLuminance = i <= s.prefilteredIterations;
+    setup.luminanceSigma = setup.stopLuminance ? s.prefilteredSigma : s.luminanceSigma;
     setup.filterVariance = i < s.iterations;  // nothing reads that of the last
     // More taps where they are near lower the error of every scene; far ones are the fewer the better.
     setup.radius = i == 1 ? 2 : 1;
@@ -69,7 +71,10 @@ void addFilter(Schedule& table, const Configuration& configuration, const QuellS
 Schedule makeSchedule(const Configuration& configuration, const QuellSettings& s) {
   Schedule table;
   addAccumulation(table, configuration, s);
-  add(table, Variance(configuration, {s.stops, s.temporalVarianceFrames, s.common.skip, true}));
+  Variance::Setup variance{s.stops, s.temporalVarianceFrames, s.common.skip};
+  variance.ofMean = true;
+  variance.stopLuminance = s.prefilteredIterations > 0;
+  add(table, Variance(configuration, variance));
   addFilter(table, configuration, s);
   addOutputStages(table, configuration, levelAfter(s.iterations).irradiance, s.common.antialiasing,
                   s.common.skip);

@@ -16,6 +16,8 @@ struct QuellSettings {
   double changeGain;
   double changeMemory;
   int iterations;
+  int prefilteredIterations;
+  double prefilteredSigma;
   double luminanceSigma;
   EdgeStops stops;
   double sharpRoughness;
@@ -26,7 +28,7 @@ inline SettingTable<QuellSettings> quellSettings() {
   using S = QuellSettings;
   constexpr const char* sweep = "sweep, docs/quell-sweep.md";
   SettingTable<S> table;
-  table.add("historyFrames", &S::historyFrames, 5, {1, 255, "frames"},
+  table.add("historyFrames", &S::historyFrames, 10, {1, 255, "frames"},
             "longest history of what moves on the screen", sweep);
   table.add("stillHistoryFrames", &S::stillHistoryFrames, 32, {1, 255, "frames"},
             "longest history of what does not move on the screen; at least historyFrames counts", sweep);
@@ -45,7 +47,13 @@ inline SettingTable<QuellSettings> quellSettings() {
   table.add("changeMemory", &S::changeMemory, 0.4, {0.0, 0.99},
             "share of the frame before in the differences that are tested", sweep);
   addIterations(table, &S::iterations);
-  table.add("luminanceSigma", &S::luminanceSigma, 6.0, {0.01, 1e3, "standard deviations of the mean"},
+  table.add("prefilteredIterations", &S::prefilteredIterations, 2, {0, 7},
+            "first iterations whose stop compares luminance over 3x3 pixels instead of one, with a Gaussian "
+            "fall-off",
+            sweep);
+  table.add("prefilteredSigma", &S::prefilteredSigma, 2.5, {0.01, 1e3, "standard deviations of the mean"},
+            "difference in luminance over 3x3 pixels at which a tap's weight falls to 1/e", sweep);
+  table.add("luminanceSigma", &S::luminanceSigma, 4.0, {0.01, 1e3, "standard deviations of the mean"},
             "difference in luminance at which a tap's weight falls to 1/e", sweep);
   table.include(&S::stops, edgeStopSettings());
   table.add("sharpRoughness", &S::sharpRoughness, 0.3, {0.0, 1.0},

@@ -26,16 +26,18 @@ double clipRow(const Matrix4& worldToClip, std::size_t row, const Vector& p) {
   return m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
 }
 
-// Pixel index in the frame before and clip.w there; nothing behind the camera.
+// Pixel index in the frame before, where history lives on pixel centres (quell::Camera), and clip.w there; nothing
+// behind the camera.
 struct Place {
   double x, y, clipW;
 };
 
-std::optional<Place> reproject(const Matrix4& worldToClip, const Vector& p, int width, int height) {
-  const double w = clipRow(worldToClip, 3, p);
+std::optional<Place> reproject(const Camera& camera, const Vector& p, int width, int height) {
+  const auto row = [&](std::size_t r) { return clipRow(camera.worldToClipPrev, r, p); };
+  const double w = row(3);
   if (!(w > 0.0)) return std::nullopt;
-  return Place{(0.5 + 0.5 * clipRow(worldToClip, 0, p) / w) * width - 0.5,
-               (0.5 - 0.5 * clipRow(worldToClip, 1, p) / w) * height - 0.5, w};
+  return Place{(0.5 + 0.5 * row(0) / w) * width - 0.5 - camera.jitterPx[0],
+               (0.5 - 0.5 * row(1) / w) * height - 0.5 - camera.jitterPx[1], w};
 }
 
 double lumaAt(const io::Image& image, int x, int y) {
@@ -87,8 +89,7 @@ std::optional<double> lumaBefore(const TrackedFrame& before, const Point& point)
 std::optional<Point> pointAt(const TrackedFrame& frame, int x, int y) {
   Point point{at(frame.positionWorld, x, y), at(frame.normalWorld, x, y), {}};
   if (!(dot(point.normal, point.normal) > 0.0)) return std::nullopt;
-  const auto place =
-      reproject(frame.camera.worldToClipPrev, point.position, frame.encoded.width, frame.encoded.height);
+  const auto place = reproject(frame.camera, point.position, frame.encoded.width, frame.encoded.height);
   if (!place) return std::nullopt;
   point.place = *place;
   if (frame.motion.empty() || frame.objectId.empty()) return point;

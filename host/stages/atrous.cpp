@@ -12,6 +12,7 @@ Atrous::Atrous(const Configuration& configuration, const Setup& setup) : m_setup
   const bool readsRoughness = setup.stops.roughnessSigma > 0.0 || setup.sharpRoughness > 0.0;
   QUELL_SIGNALS = signalCount(configuration.frame);
   VARIANCE = setup.variance ? 1 : 0;
+  STOP_LUMINANCE = setup.stopLuminance ? 1 : 0;
   FILTER_VARIANCE = setup.filterVariance ? 1 : 0;
   ROUGHNESS_STOP = configuration.frame.roughness.present() && readsRoughness ? 1 : 0;
   TAP_RADIUS = setup.radius;

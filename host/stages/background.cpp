@@ -8,11 +8,12 @@ namespace quell {
 
 QUELL_PORTS(BackgroundOptions, BACKGROUND)
 
-Background::Background(const Configuration& configuration, bool antialias, bool alwaysAntialiased) {
+Background::Background(const Configuration& configuration, const Setup& setup) {
   setLightOptions<BackgroundOptions>(*this, configuration);
   setSkipOptions<BackgroundOptions>(*this, configuration, true);
-  ANTIALIAS = antialias ? 1 : 0;
-  antialiasBackground = antialias && alwaysAntialiased ? 1 : 0;
+  ANTIALIAS = setup.antialias ? 1 : 0;
+  ANTIALIAS_LINEAR = setup.antialiasLinear ? 1 : 0;
+  antialiasBackground = setup.antialias && setup.antialiasBackground ? 1 : 0;
 }
 
 BackgroundParams Background::params(const FrameRun& run) const {

@@ -11,9 +11,12 @@ QUELL_OPTIONS(BackgroundOptions, BACKGROUND, "background")
 /// See kernels/background.cl for what it computes, from what and after which paper.
 class Background : public KernelStage<BackgroundOptions, BackgroundParams> {
  public:
-  /// `antialias`: whether temporal_antialiasing follows; `antialiasBackground`: whether background takes part in it even
-  /// if rays are not jittered.
-  Background(const Configuration& configuration, bool antialias, bool antialiasBackground);
+  struct Setup {
+    bool antialias = false;            ///< temporal_antialiasing follows
+    bool antialiasBackground = false;  ///< background takes part in it whatever the camera's jitter
+    bool antialiasLinear = false;      ///< it writes the linear image, too
+  };
+  Background(const Configuration& configuration, const Setup& setup);
   Coverage coverage(const Frame&) const override { return Coverage::Background; }
 
  protected:

@@ -8,10 +8,11 @@ namespace quell {
 
 QUELL_PORTS(RemodulateOptions, REMODULATE)
 
-Remodulate::Remodulate(const Configuration& configuration, bool writePlanes, bool skip) {
+Remodulate::Remodulate(const Configuration& configuration, const Setup& setup) {
   setLightOptions<RemodulateOptions>(*this, configuration);
-  setSkipOptions<RemodulateOptions>(*this, configuration, skip);
-  WRITE_PLANES = writePlanes ? 1 : 0;
+  setSkipOptions<RemodulateOptions>(*this, configuration, setup.skip);
+  WRITE_PLANES = setup.antialias ? 1 : 0;
+  ANTIALIAS_LINEAR = setup.antialiasLinear ? 1 : 0;
 }
 
 RemodulateParams Remodulate::params(const FrameRun& run) const {

@@ -11,9 +11,12 @@ QUELL_OPTIONS(RemodulateOptions, REMODULATE, "remodulate")
 /// See kernels/remodulate.cl for what it computes, from what and after which paper.
 class Remodulate : public KernelStage<RemodulateOptions, RemodulateParams> {
  public:
-  /// `writePlanes`: whether a later stage reads the display-encoded radiance, else it is the caller's if he wants it;
-  /// `skip`: leaves background to the stage background.
-  Remodulate(const Configuration& configuration, bool writePlanes, bool skip);
+  struct Setup {
+    bool antialias = false;        ///< temporal_antialiasing follows and writes the display image
+    bool antialiasLinear = false;  ///< and the linear one
+    bool skip = false;             ///< leaves background to the stage background
+  };
+  Remodulate(const Configuration& configuration, const Setup& setup);
 
  protected:
   RemodulateParams params(const FrameRun& run) const override;

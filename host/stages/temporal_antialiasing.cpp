@@ -8,10 +8,11 @@ namespace quell {
 
 QUELL_PORTS(TemporalAntialiasingOptions, TEMPORAL_ANTIALIASING)
 
-TemporalAntialiasing::TemporalAntialiasing(const Configuration& configuration, double newestWeight, bool skip)
-    : m_newestWeight(newestWeight) {
+TemporalAntialiasing::TemporalAntialiasing(const Configuration& configuration, const Setup& setup)
+    : m_newestWeight(setup.newestWeight) {
   QUELL_SIGNALS = signalCount(configuration.frame);
-  setSkipOptions<TemporalAntialiasingOptions>(*this, configuration, skip);
+  setSkipOptions<TemporalAntialiasingOptions>(*this, configuration, setup.skip);
+  ANTIALIAS_LINEAR = setup.antialiasLinear ? 1 : 0;
 }
 
 Coverage TemporalAntialiasing::coverage(const Frame& frame) const {

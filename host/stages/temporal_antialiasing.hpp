@@ -11,9 +11,12 @@ QUELL_OPTIONS(TemporalAntialiasingOptions, TEMPORAL_ANTIALIASING, "temporal_anti
 /// See kernels/temporal_antialiasing.cl for what it computes, from what and after which paper.
 class TemporalAntialiasing : public KernelStage<TemporalAntialiasingOptions, TemporalAntialiasingParams> {
  public:
-  /// `newestWeight`: weight of the newest frame, (0, 1]; `skip`: leaves background to the stage background, unless rays
-  /// are jittered.
-  TemporalAntialiasing(const Configuration& configuration, double newestWeight, bool skip);
+  struct Setup {
+    double newestWeight = 0.2;     ///< of the newest frame, (0, 1]
+    bool antialiasLinear = false;  ///< writes the linear image as well
+    bool skip = false;  ///< leaves background to the stage background, unless the camera is jittered
+  };
+  TemporalAntialiasing(const Configuration& configuration, const Setup& setup);
   Coverage coverage(const Frame& frame) const override;
 
  protected:

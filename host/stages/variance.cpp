@@ -11,6 +11,7 @@ QUELL_PORTS(VarianceOptions, VARIANCE)
 Variance::Variance(const Configuration& configuration, const Setup& setup) : m_setup(setup) {
   QUELL_SIGNALS = signalCount(configuration.frame);
   OF_MEAN = setup.ofMean ? 1 : 0;
+  STOP_LUMINANCE = setup.stopLuminance ? 1 : 0;
   ROUGHNESS_STOP = 0;  // moments are of all signals alike
   temporalFrames = setup.temporalFrames;
   setSkipOptions<VarianceOptions>(*this, configuration, setup.skip);

@@ -14,9 +14,10 @@ class Variance : public KernelStage<VarianceOptions, VarianceParams> {
  public:
   struct Setup {
     EdgeStops stops;
-    int temporalFrames = 4;  ///< history length from which on the variance over time is trusted, 1 to 255
-    bool skip = false;       ///< leaves out background; see kernels/common/surfaces.h
-    bool ofMean = false;     ///< variance of the mean over the history, else of its samples
+    int temporalFrames = 4;      ///< history length from which on the variance over time is trusted, 1 to 255
+    bool skip = false;           ///< leaves out background; see kernels/common/surfaces.h
+    bool stopLuminance = false;  ///< also writes the luminance for the stops of atrous
+    bool ofMean = false;         ///< variance of the mean over the history, else of its samples
   };
   Variance(const Configuration& configuration, const Setup& setup);
 

@@ -8,6 +8,9 @@ namespace quell {
 /// 4x4 matrix, row-major, for column vectors: clip[r] = sum over c of m[4*r + c] * (x, y, z, 1)[c].
 using Matrix4 = std::array<double, 16>;
 
+/// Primary rays may leave the centre of their pixel by at most this, pixels.
+constexpr double kMaxJitterPx = 1.0;
+
 /// The camera of this frame and of the frame before it.
 ///
 /// Matrices map world space to clip space in double precision, unjittered. Normalised device coordinates:
@@ -17,10 +20,13 @@ struct Camera {
   Matrix4 worldToClip{};      ///< this frame
   Matrix4 worldToClipPrev{};  ///< the frame before; any value on the first frame after a history reset
 
-  /// Where inside the pixel the primary rays went: sample position minus pixel centre, in pixels, x right,
-  /// y down, each in [-1, 1]. Zero means the pixel centre. One for this frame, one for the frame before.
+  /// Where inside the pixel the primary rays of this frame went: sample position minus pixel centre, in
+  /// pixels, x right, y down, each within kMaxJitterPx. Zero means the pixel centre. History lives on pixel
+  /// centres, so nothing depends on the offset of the frame before.
   std::array<double, 2> jitterPx{0.0, 0.0};
-  std::array<double, 2> jitterPxPrev{0.0, 0.0};
 };
+
+/// Whether the primary rays of this frame left the centres of their pixels.
+inline bool isJittered(const Camera& camera) { return camera.jitterPx != std::array<double, 2>{0.0, 0.0}; }
 
 }  // namespace quell

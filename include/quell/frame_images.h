@@ -31,11 +31,11 @@
   IMAGE(glossyRadiance, GLOSSYRADIANCE, 1, 4, VALUES, OPTIONAL,                                                        \
         ("glossy_radiance", "RGB", HALF, "GlossDir+GlossInd", "RGB"),                                                  \
         ("one signal", "linear, of the glossy lobe", "clamped to 0 .. 65504", "missing sample"))                       \
-  /* Shading normal, unit length (0.5 to 2 is tolerated). A zero normal marks background, which passes through
+  /* Shading normal of any length from 1e-18 to 1e18. A zero normal marks background, which passes through
      unfiltered. */                                                                                                    \
   IMAGE(normalWorld, NORMALWORLD, 3, 4, VALUES, REQUIRED,                                                              \
         ("shading_normal", "RGB", HALF, "Normal", "XYZ"),                                                              \
-        ("", "world, unit length", "0 marks background", "pixel passes through"))                                      \
+        ("", "world, any length", "0 marks background", "pixel passes through"))                                       \
   /* Half is accepted only while the camera is within kHalfPositionRange of the world origin on every axis. Either this
      or viewDepth. */                                                                                                  \
   IMAGE(positionWorld, POSITIONWORLD, 3, 4, VALUES, OPTIONAL,                                                          \

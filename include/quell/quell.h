@@ -179,13 +179,12 @@ typedef struct quell_image_view {
 } quell_image_view;
 
 /* This frame's camera and that of the frame before. 4x4 matrices from world to clip space, row-major, for column
- * vectors, unjittered; NDC x right, y up. The previous one may be anything on the first frame after a reset. Jitter:
- * sample position minus pixel centre, pixels, x right, y down, in [-1, 1]. This struct does not grow. */
+ * vectors, unjittered; NDC x right, y up. The previous one may be anything on the first frame after a reset. Jitter
+ * of this frame: sample position minus pixel centre, pixels, x right, y down, in [-1, 1]. This struct does not grow. */
 typedef struct quell_camera {
   double worldToClip[16];
   double worldToClipPrev[16];
   double jitterPx[2];
-  double jitterPxPrev[2];
 } quell_camera;
 
 /* Inputs of one frame, read until the event of quellDenoise has completed. What the images hold (units, ranges, NaN)

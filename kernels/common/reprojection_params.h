@@ -10,7 +10,8 @@ QUELL_NAMESPACE_BEGIN
 
 typedef struct ReprojectionParams {
   // Rows that take a position relative to this frame's camera, (x, y, z, 1), to (a, b, c): the surface point lay at
-  // pixel index (a / c, b / c) of the frame before (0 is the centre of the first pixel); in front of it if c > 0.
+  // pixel index (a / c, b / c) of the frame before (0 is the centre of the first pixel), less this frame's jitter; in
+  // front of it if c > 0.
   QuellFloat4 pixelXPrev;
   QuellFloat4 pixelYPrev;
   QuellFloat4 clipWPrev;
@@ -23,8 +24,6 @@ typedef struct ReprojectionParams {
   QuellFloat4 cameraLow;
   // Previous camera position minus this one, world space (.xyz).
   QuellFloat4 cameraMotion;
-  // Jitter of this frame minus that of the frame before, pixels, x right, y down (.xy): what a motion vector lacks.
-  QuellFloat4 jitterStep;
   // Camera-relative point at view depth 1 seen through pixel index (x, y): x * rayX + y * rayY + rayOrigin.
   QuellFloat4 rayX;
   QuellFloat4 rayY;
@@ -40,9 +39,10 @@ QUELL_NAMESPACE_END
 // Positions at or beyond this distance from the camera (scene units) count as missing: their squares must not
 // overflow a float.
 #define QUELL_MAX_POSITION 1e18f
-// A shorter squared normal marks background, a longer one is not a normal at all; both are passed through.
-#define QUELL_MIN_NORMAL_SQUARED 0.25f
-#define QUELL_MAX_NORMAL_SQUARED 4.0f
+// A shorter squared normal marks background, a longer one is not a normal at all; both are passed through. Between them
+// every length is normalised: as far as its square neither vanishes nor overflows in a float.
+#define QUELL_MIN_NORMAL_SQUARED 1e-36f
+#define QUELL_MAX_NORMAL_SQUARED 1e36f
 // Reprojected positions are rounded to this fraction of a pixel, as texture units do: a static camera then
 // reprojects exactly onto pixel centres, whatever the rounding of the matrices.
 #define QUELL_SUBPIXEL_STEPS 256.0f

@@ -229,8 +229,14 @@ Comparison AccumulateNoisyCase::compare() {
   compareIfPresent("objectIds", device.objectIds, exact.outputs.objectIds);
   compareIfPresent("newestIrradiance", device.newestIrradiance, exact.outputs.newestIrradiance, lightUnit());
   if (device.innovation.count > 0) compareInnovation(comparison, device, exact, lightUnit());
-  // Where background was, antialiasing wants to know.
-  Comparison everywhere(isJittered(m_harness.configuration().frame.camera) ? nullptr : leftOut());
+  // Where background was, antialiasing wants to know; elsewhere, that it lost no history.
+  const bool antialiased = isJittered(m_harness.configuration().frame.camera);
+  Comparison everywhere(antialiased ? nullptr : leftOut());
+  if (leftOut() != nullptr && !antialiased)
+    forEachPixel(size(), [&](int x, int y) {
+      if (leftOut()->at(0, x, y))
+        comparison.include("background mask", 0, x, y, device.reprojectionMask.at(0, x, y), 0.0);
+    });
   comparePixels(everywhere, "first reprojectionMask", planesOf(device.reprojectionMask, 0, 1),
                 planesOf(exact.outputs.reprojectionMask, 0, 1), excluded);
   comparePixelPrev(everywhere, device.pixelPrev, exact.outputs.pixelPrev, exact.undecided);

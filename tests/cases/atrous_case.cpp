@@ -13,6 +13,7 @@ StageSetup makeAtrousSetup(const CaseOptions& options, const AtrousVariant& vari
   StageSetup setup = makeSetup(options);
   setFilterMethod(setup, variant.ofQuell() ? "quell" : variant.variance ? "svgf" : "atrous", variant.images);
   if (variant.ofQuell()) setup.settings.set("sharpRoughness", variant.sharpRoughness);
+  if (variant.ofQuell()) setup.settings.set("prefilteredIterations", kPrefilteredIterations);
   setup.settings.set("iterations", kIterations);
   setup.occurrence = variant.iteration - 1;
   return setup;
@@ -32,6 +33,8 @@ AtrousCase::AtrousCase(const CaseOptions& options, const AtrousVariant& variant)
   const int signals = variant.images.signals;
   inputs.guides = randomGuides(variant.images, options);
   inputs.irradiance = randomPlanes(options.size, 3 * signals, options.seed + 10, 0.0, 8.0);
+  if (variant.prefiltered())
+    inputs.stopLuminance = randomPlanes(options.size, signals, options.seed + 12, 0.0, 8.0);
   if (variant.variance) inputs.variance = randomPlanes(options.size, signals, options.seed + 11, 0.0, 4.0);
   m_holes.clear(inputs.variance);
   m_holes.zeroesVariance = variant.iteration <= 2;
@@ -41,13 +44,16 @@ AtrousCase::AtrousCase(const CaseOptions& options, const AtrousVariant& variant)
   inputs.sharpRoughness = std::max(variant.sharpRoughness, 0.0);
   inputs.step = 1 << (variant.iteration - 1);
   // Without variance the tolerated difference shrinks with the noise that is left.
-  inputs.luminanceSigma = settings.get("luminanceSigma") / (variant.variance ? 1 : inputs.step);
+  inputs.luminanceSigma = variant.prefiltered()
+                              ? settings.get("prefilteredSigma")
+                              : settings.get("luminanceSigma") / (variant.variance ? 1 : inputs.step);
 }
 
 void AtrousCase::upload() {
   uploadGuides(m_harness, inputs.guides);
   m_harness.upload("irradiance", inputs.irradiance);
   if (inputs.variance.count > 0) m_harness.upload("variance", inputs.variance);
+  if (inputs.stopLuminance.count > 0) m_harness.upload("stopLuminance", inputs.stopLuminance);
 }
 
 Comparison AtrousCase::compare() {

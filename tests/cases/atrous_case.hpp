@@ -11,6 +11,9 @@ namespace quell::tests {
 /// mean of them by about as much (5e-6 measured).
 constexpr double kAtrousTolerance = 2e-5;
 
+/// First iterations of quell whose stops compare prefiltered luminance.
+constexpr int kPrefilteredIterations = 2;
+
 struct AtrousVariant {
   FilterVariant images;
   bool variance = true;  ///< iterations of svgf, else of the method atrous
@@ -20,6 +23,7 @@ struct AtrousVariant {
   double sharpRoughness = -1.0;
 
   bool ofQuell() const { return sharpRoughness >= 0.0; }
+  bool prefiltered() const { return ofQuell() && iteration <= kPrefilteredIterations; }
 };
 
 /// Noise over the scene of filter_inputs.hpp.
@@ -39,7 +43,7 @@ class AtrousCase : public StageCase {
 
  protected:
   std::vector<LightInput> light() override {
-    return {lightOf(inputs.irradiance), lightOf(inputs.variance, 2)};
+    return {lightOf(inputs.irradiance), lightOf(inputs.stopLuminance), lightOf(inputs.variance, 2)};
   }
 };
 

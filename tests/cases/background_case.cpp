@@ -57,7 +57,7 @@ void BackgroundCase::upload() {
   uploadImage(m_harness, &Frame::emission, inputs.emission);
   m_harness.upload("surfaces", surfaces);
   const Planes untouched(size(), 3, -1.0f);
-  m_harness.upload("encoded", untouched);
+  m_harness.upload("denoised", untouched);
   m_harness.upload("antialiased", untouched);
   m_harness.clearOutput(&Output::linear);
   m_harness.clearOutput(&Output::display);
@@ -71,10 +71,10 @@ Comparison BackgroundCase::compare() {
   comparePixels(comparison, "linear", outputPlanes(m_harness, &Output::linear), exact.linear, &surface,
                 nullptr, lightUnit());
   comparePixels(comparison, "display", outputPlanes(m_harness, &Output::display), exact.encoded, &surface);
-  comparePixels(comparison, "antialiased", antialiased(), exact.encoded, &surface);
+  comparePixels(comparison, "antialiased", antialiased(), exact.linear, &surface, nullptr, lightUnit());
   forEachPixel(
       size(), [&](int x, int y) { surface.at(0, x, y) = char(!isBackground(x, y) || !isNearSurface(x, y)); });
-  comparePixels(comparison, "encoded", encoded(), exact.encoded, &surface);
+  comparePixels(comparison, "denoised", denoised(), exact.linear, &surface, nullptr, lightUnit());
   return comparison;
 }
 

@@ -88,8 +88,9 @@ bool Holes::isKept(const std::string& port, int plane, int x, int y) const {
   if (isGuides(port))
     return plane >= QUELL_GUIDE_WEIGHT ||
            (m_motion && plane >= QUELL_GUIDE_NORMAL && plane < QUELL_GUIDE_NORMAL + 3);
-  if (port == "variance" || port == "encoded") return isNearSurface(x, y);
-  return port == "viewDepth" || port == "historyLength" || port == "historyLengthPrev";
+  if (port == "variance" || port == "denoised") return isNearSurface(x, y);
+  return port == "viewDepth" || port == "reprojectionMask" || port == "historyLength" ||
+         port == "historyLengthPrev";
 }
 
 void Holes::spoil(StageHarness& harness, const std::string& port, const BasicPlanes<char>& where) const {

@@ -6,21 +6,20 @@
 namespace quell::tests {
 namespace {
 
-StageSetup makeRemodulateSetup(const CaseOptions& options, const MaterialVariant& variant, bool isLast) {
+StageSetup makeRemodulateSetup(const CaseOptions& options, const MaterialVariant& variant, RemodulateTo to) {
   StageSetup setup = makeSetup(options);
   setMaterialViews(setup, variant, options.layout);
   setup.output.linear = makeView(options.layout, options.size);
   setup.output.display = makeView(options.layout, options.size);
-  setup.settings.set("taa", isLast ? "off" : "on");
+  setup.settings.set("taa", to == RemodulateTo::Outputs ? "off" : "on");
+  setup.settings.set("jitteredRays", to == RemodulateTo::AntialiasingOnly ? "on" : "off");
   return setup;
 }
 
 }  // namespace
 
-RemodulateCase::RemodulateCase(const CaseOptions& options, const MaterialVariant& variant, bool isLast)
-    : StageCase("remodulate", makeRemodulateSetup(options, variant, isLast)),
-      m_isLast(isLast),
-      m_layout(options.layout) {
+RemodulateCase::RemodulateCase(const CaseOptions& options, const MaterialVariant& variant, RemodulateTo to)
+    : StageCase("remodulate", makeRemodulateSetup(options, variant, to)), m_to(to), m_layout(options.layout) {
   inputs.material = randomMaterial(variant, options.size, options.seed);
   const int signals = inputs.material.signals();
   inputs.filtered = randomPlanes(options.size, 3 * signals, options.seed + 10, 0.0, 8.0);
@@ -38,12 +37,14 @@ Comparison RemodulateCase::compare() {
   const RemodulateExact exact = remodulateOracle(inputs);
   for (const char undecided : exact.undecided.values)
     if (undecided) comparison.exclude();
-  compareOutput(comparison, m_harness, &Output::linear, exact.linear, &exact.undecided, &exact.magnitude,
-                lightUnit());
-  if (m_isLast) {
+  if (m_to != RemodulateTo::AntialiasingOnly)
+    compareOutput(comparison, m_harness, &Output::linear, exact.linear, &exact.undecided, &exact.magnitude,
+                  lightUnit());
+  if (m_to == RemodulateTo::Outputs) {
     compareOutput(comparison, m_harness, &Output::display, exact.encoded, &exact.undecided);
   } else {
-    comparePixels(comparison, "encoded", encoded(), exact.encoded, &exact.undecided);
+    comparePixels(comparison, "denoised", m_harness.download("denoised"), exact.linear, &exact.undecided,
+                  &exact.magnitude, lightUnit());
   }
   return comparison;
 }

@@ -10,12 +10,18 @@ namespace quell::tests {
 /// of them. The encoding more than halves a relative error and adds kEncodingTolerance.
 constexpr double kRemodulateTolerance = 1e-6;
 
+/// Where radiance goes.
+enum class RemodulateTo {
+  Outputs,           ///< the caller's linear and display images
+  Antialiasing,      ///< planes for antialiasing, and the caller's linear image
+  AntialiasingOnly,  ///< planes alone: rays are jittered
+};
+
 class RemodulateCase : public StageCase {
  public:
-  /// The caller's inputs and outputs are in options.layout. `isLast`: encoded radiance goes to the caller's display
-  /// image instead of planes for antialiasing.
+  /// The caller's inputs and outputs are in options.layout.
   explicit RemodulateCase(const CaseOptions& options, const MaterialVariant& variant = kFullMaterial,
-                          bool isLast = false);
+                          RemodulateTo to = RemodulateTo::Antialiasing);
 
   RemodulateInputs inputs;
 
@@ -23,7 +29,7 @@ class RemodulateCase : public StageCase {
   Comparison compare() override;
   double tolerance() const override { return kRemodulateTolerance + storageError(m_layout); }
   Planes linear() const { return outputPlanes(m_harness, &Output::linear); }
-  Planes encoded() const { return m_harness.download("encoded"); }
+  Planes display() const { return outputPlanes(m_harness, &Output::display); }
 
  protected:
   std::vector<LightInput> light() override {
@@ -33,7 +39,7 @@ class RemodulateCase : public StageCase {
   }
 
  private:
-  bool m_isLast;
+  RemodulateTo m_to;
   ImageLayout m_layout;
 };
 

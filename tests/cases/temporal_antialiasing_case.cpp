@@ -1,23 +1,28 @@
 #include "tests/cases/temporal_antialiasing_case.hpp"
 
+#include "tests/oracle/display_encoding_oracle.hpp"
 #include "tests/support/random_images.hpp"
 
 namespace quell::tests {
 namespace {
 
-StageSetup makeTemporalAntialiasingSetup(const CaseOptions& options) {
+StageSetup makeTemporalAntialiasingSetup(const CaseOptions& options, bool jitteredRays) {
   StageSetup setup = makeSetup(options);
   if (options.holes()) setup.settings = Settings("quell");  // the others leave nothing out here
+  setup.output.linear = makeView(options.layout, options.size);
   setup.output.display = makeView(options.layout, options.size);
+  setup.settings.set("jitteredRays", jitteredRays ? "on" : "off");
   return setup;
 }
 
 }  // namespace
 
-TemporalAntialiasingCase::TemporalAntialiasingCase(const CaseOptions& options)
-    : StageCase("temporal_antialiasing", makeTemporalAntialiasingSetup(options)), m_layout(options.layout) {
+TemporalAntialiasingCase::TemporalAntialiasingCase(const CaseOptions& options, bool jitteredRays)
+    : StageCase("temporal_antialiasing", makeTemporalAntialiasingSetup(options, jitteredRays)),
+      m_layout(options.layout),
+      m_jitteredRays(jitteredRays) {
   const RandomMotion motion = randomMotion(options.size, options.seed);
-  inputs.encoded = randomPlanes(options.size, 3, options.seed + 1);
+  inputs.denoised = randomPlanes(options.size, 3, options.seed + 1);
   inputs.antialiasedPrev = randomPlanes(options.size, 3, options.seed + 2);
   inputs.pixelPrev = motion.pixelPrev;
   inputs.reprojectionMask = motion.reprojectionMask;
@@ -25,7 +30,7 @@ TemporalAntialiasingCase::TemporalAntialiasingCase(const CaseOptions& options)
 }
 
 void TemporalAntialiasingCase::upload() {
-  m_harness.upload("encoded", inputs.encoded);
+  m_harness.upload("denoised", inputs.denoised);
   m_harness.upload("antialiasedPrev", inputs.antialiasedPrev);
   m_harness.upload("pixelPrev", inputs.pixelPrev);
   m_harness.upload("reprojectionMask", inputs.reprojectionMask);
@@ -34,8 +39,12 @@ void TemporalAntialiasingCase::upload() {
 Comparison TemporalAntialiasingCase::compare() {
   Comparison comparison(leftOut());
   const ExactPlanes exact = temporalAntialiasingOracle(inputs);
-  comparePixels(comparison, "antialiased", antialiased(), exact);
-  compareOutput(comparison, m_harness, &Output::display, exact);
+  ExactPlanes encoded = exact;
+  for (double& value : encoded.values) value = encodeDisplayExact(value);
+  comparePixels(comparison, "antialiased", antialiased(), exact, nullptr, nullptr, lightUnit());
+  compareOutput(comparison, m_harness, &Output::display, encoded);
+  if (m_jitteredRays)
+    compareOutput(comparison, m_harness, &Output::linear, exact, nullptr, nullptr, lightUnit());
   return comparison;
 }
 

@@ -6,13 +6,13 @@
 
 namespace quell::tests {
 
-/// Absolute: values up to 4 (YCoCg with its gains) go through about ten float operations.
+/// Relative to the largest radiance: YCoCg with its gains goes through about ten float operations.
 constexpr double kTemporalAntialiasingTolerance = 1e-6;
 
 class TemporalAntialiasingCase : public StageCase {
  public:
-  /// The display image is in options.layout.
-  explicit TemporalAntialiasingCase(const CaseOptions& options);
+  /// The caller's images are in options.layout; with jittered rays there is a linear one as well.
+  explicit TemporalAntialiasingCase(const CaseOptions& options, bool jitteredRays = false);
 
   TemporalAntialiasingInputs inputs;
 
@@ -21,8 +21,14 @@ class TemporalAntialiasingCase : public StageCase {
   double tolerance() const override { return kTemporalAntialiasingTolerance + storageError(m_layout); }
   Planes antialiased() const { return m_harness.download("antialiased"); }
 
+ protected:
+  std::vector<LightInput> light() override {
+    return {lightOf(inputs.denoised), lightOf(inputs.antialiasedPrev)};
+  }
+
  private:
   ImageLayout m_layout;
+  bool m_jitteredRays;
 };
 
 }  // namespace quell::tests

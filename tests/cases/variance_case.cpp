@@ -40,6 +40,8 @@ VarianceCase::VarianceCase(const CaseOptions& options, int signals, VarianceOf o
   inputs.guides = randomGuides({signals, false}, options);
   inputs.moments = randomMoments(options.size, signals, options.seed + 10);
   inputs.historyLength = Planes(options.size, signals);
+  if (of == VarianceOf::Mean)
+    inputs.irradiance = randomPlanes(options.size, 3 * signals, options.seed + 30, 0.0, 8.0);
   Random random(options.seed + 20);
   for (float& length : inputs.historyLength.values)
     length =
@@ -53,6 +55,7 @@ void VarianceCase::upload() {
   uploadGuides(m_harness, inputs.guides);
   m_harness.upload("moments", inputs.moments);
   m_harness.upload("historyLength", inputs.historyLength);
+  if (inputs.irradiance.count > 0) m_harness.upload("irradiance", inputs.irradiance);
 }
 
 Comparison VarianceCase::compare() {
@@ -65,6 +68,9 @@ Comparison VarianceCase::compare() {
                          std::max(lightUnit() * lightUnit(), exact.magnitude.at(signal, x, y)));
     });
   }
+  if (inputs.irradiance.count > 0)
+    comparePixels(comparison, "stop luminance", m_harness.download("stopLuminance"), exact.stopLuminance,
+                  nullptr, nullptr, lightUnit());
   return comparison;
 }
 

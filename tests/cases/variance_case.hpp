@@ -27,7 +27,11 @@ class VarianceCase : public StageCase {
   Planes variance() const { return m_harness.download("variance"); }
 
  protected:
-  std::vector<LightInput> light() override { return momentsOf(inputs.moments); }
+  std::vector<LightInput> light() override {
+    std::vector<LightInput> light = momentsOf(inputs.moments);
+    light.push_back(lightOf(inputs.irradiance));
+    return light;
+  }
 };
 
 }  // namespace quell::tests

@@ -68,6 +68,8 @@ TEST_CASE("denoise writes frames, pictures and a report", "[cli]") {
     CHECK(stage.at("bytes").get<double>() > 0.0);
   }
   CHECK(report.at("errors").at(0).at("frame") == 15);
+  CHECK(report.at("errors").at(0).at("linear_reference") == "centre");
+  CHECK(report.at("errors").at(0).at("display_reference") == "centre");
 }
 
 TEST_CASE("denoise dumps intermediate buffers", "[cli]") {

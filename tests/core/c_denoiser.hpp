@@ -38,8 +38,6 @@ inline quell_frame toC(const Frame& frame) {
   std::memcpy(result.camera.worldToClip, frame.camera.worldToClip.data(), sizeof(Matrix4));
   std::memcpy(result.camera.worldToClipPrev, frame.camera.worldToClipPrev.data(), sizeof(Matrix4));
   std::memcpy(result.camera.jitterPx, frame.camera.jitterPx.data(), sizeof(result.camera.jitterPx));
-  std::memcpy(result.camera.jitterPxPrev, frame.camera.jitterPxPrev.data(),
-              sizeof(result.camera.jitterPxPrev));
   forEachInput(frame, result,
                [](const ImageFacts&, const ImageView& view, quell_image_view& given) { given = toC(view); });
   return result;

@@ -50,13 +50,14 @@ Readers<S> commonReaders() {
           READ_AS("positionLimit", common.discard.positionLimit),
           READ_AS("normalLimitSquared", common.discard.normalLimitSquared),
           READ_AS("taa", common.antialiasing.taa),
-          READ_AS("taaNewestWeight", common.antialiasing.taaNewestWeight)};
+          READ_AS("taaNewestWeight", common.antialiasing.taaNewestWeight),
+          READ_AS("jitteredRays", common.antialiasing.jitteredRays)};
 }
 
 const Readers<QuellSettings> kQuell = {
     READ(historyFrames), READ(stillHistoryFrames), READ(momentsLeastWeight),    READ(temporalVarianceFrames),
     READ(mostWeight),    READ(changeThreshold),    READ(recentChangeThreshold), READ(changeGain),
-    READ(changeMemory),  READ(sharpRoughness)};
+    READ(changeMemory),  READ(sharpRoughness),     READ(prefilteredIterations), READ(prefilteredSigma)};
 const Readers<BmfrSettings> kBmfr = {READ(noisyLeastWeight), READ(filteredLeastWeight),
                                      READ(noiseAmplitude),   READ(solver),
                                      READ(windows),          READ_AS("tileSize", tileSize / 8 - 1),

@@ -52,7 +52,7 @@ TEST_CASE("singular matrices are refused by name", "[errors]") {
 
 TEST_CASE("jitter beyond a pixel is refused by name", "[errors]") {
   checkCamera(invalid("jitterPx", "[-1, 1]", "1.5"), [](Camera& c) { c.jitterPx[0] = 1.5; });
-  checkCamera(invalid("jitterPxPrev", "[-1, 1]", "nan"), [](Camera& c) { c.jitterPxPrev[1] = kNan; });
+  checkCamera(invalid("jitterPx", "[-1, 1]", "nan"), [](Camera& c) { c.jitterPx[1] = kNan; });
 }
 
 TEST_CASE("the camera before may be anything on the first frame", "[errors]") {

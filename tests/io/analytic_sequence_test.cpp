@@ -19,6 +19,8 @@ using quell::io::FrameData;
 using quell::io::FrameSequence;
 using quell::io::Image;
 using quell::io::makeAnalyticSequence;
+using quell::io::Reference;
+using quell::io::ReferenceKind;
 using Vec3 = std::array<double, 3>;
 
 namespace {
@@ -46,7 +48,7 @@ std::array<double, 2> project(const Matrix4& m, const Vec3& p, int width, int he
   return {(clip(0) / clip(3) * 0.5 + 0.5) * width, (0.5 - clip(1) / clip(3) * 0.5) * height};
 }
 
-/// Largest distance in pixels between any surface pixel's centre and its position seen through `m`.
+/// Largest distance in pixels between where any surface pixel was sampled and its position seen through `m`.
 double largestMiss(const FrameData& data, const Matrix4& m) {
   double largest = 0.0;
   for (int y = 0; y < data.normalWorld.height; ++y) {
@@ -54,7 +56,8 @@ double largestMiss(const FrameData& data, const Matrix4& m) {
       if (lengthOf(pixelOf(data.normalWorld, x, y)) == 0.0) continue;
       const auto at =
           project(m, pixelOf(data.positionWorld, x, y), data.normalWorld.width, data.normalWorld.height);
-      largest = std::max(largest, std::hypot(at[0] - x - 0.5, at[1] - y - 0.5));
+      largest = std::max(largest, std::hypot(at[0] - x - 0.5 - data.camera.jitterPx[0],
+                                             at[1] - y - 0.5 - data.camera.jitterPx[1]));
     }
   }
   return largest;
@@ -166,6 +169,39 @@ TEST_CASE("analytic sequence: positions project to their pixel's centre", "[io]"
   }
 }
 
+TEST_CASE("analytic sequence: jittered rays say so, and positions project to where they went", "[io]") {
+  AnalyticOptions options = optionsOfSize(160, 90);
+  REQUIRE_FALSE(makeAnalyticSequence(options)->jittered());
+  options.jitter = true;
+  const auto sequence = makeAnalyticSequence(options);
+  REQUIRE(sequence->jittered());
+  for (const int frame : {0, 5}) {
+    const FrameData data = sequence->read(frame);
+    REQUIRE(isJittered(data.camera));
+    REQUIRE(largestMiss(data, data.camera.worldToClip) < 0.01);
+  }
+}
+
+TEST_CASE("analytic sequence: the antialiased reference is the mean over the pixel", "[io]") {
+  AnalyticOptions options = optionsOfSize(32, 18);
+  options.movingCamera = false;
+  options.referenceSamples = 256;
+  const auto sequence = makeAnalyticSequence(options);
+  const Reference centre = sequence->reference(0, ReferenceKind::Centre);
+  const Reference antialiased = sequence->reference(0, ReferenceKind::Antialiased);
+  options.jitter = true;
+  options.frameCount = 256;
+  const std::vector<double> sampled =
+      momentsOfRadiance(*makeAnalyticSequence(options), centre.a.pixels.size()).mean;
+  const auto differenceFrom = [&](const Image& image) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sampled.size(); ++i) sum += std::pow(sampled[i] - double(image.pixels[i]), 2);
+    return std::sqrt(sum / double(sampled.size()));
+  };
+  REQUIRE(antialiased.a.pixels != antialiased.b.pixels);
+  REQUIRE(differenceFrom(antialiased.a) < 0.5 * differenceFrom(centre.a));
+}
+
 TEST_CASE("analytic sequence: the previous camera is the camera of the frame before", "[io]") {
   const auto sequence = makeAnalyticSequence(optionsOfSize(16, 9));
   REQUIRE(sequence->read(5).camera.worldToClipPrev == sequence->read(4).camera.worldToClip);
@@ -240,15 +276,14 @@ TEST_CASE("analytic sequence: the noise averages to the reference", "[io]") {
   options.frameCount = kFrames;
   options.referenceSamples = kFrames;
   const auto sequence = makeAnalyticSequence(options);
-  const auto reference = sequence->reference(0);
-  REQUIRE(reference.has_value());
-  REQUIRE(reference->a.pixels != reference->b.pixels);
+  const Reference reference = sequence->reference(0, ReferenceKind::Centre);
+  REQUIRE(reference.a.pixels != reference.b.pixels);
 
-  const Moments noisy = momentsOfRadiance(*sequence, reference->a.pixels.size());
+  const Moments noisy = momentsOfRadiance(*sequence, reference.a.pixels.size());
   double sumOfNormalised = 0.0;
   int noisyValues = 0;
   for (std::size_t i = 0; i < noisy.mean.size(); ++i) {
-    const double expected = 0.5 * (double(reference->a.pixels[i]) + double(reference->b.pixels[i]));
+    const double expected = 0.5 * (double(reference.a.pixels[i]) + double(reference.b.pixels[i]));
     INFO("value " << i << ": mean " << noisy.mean[i] << ", reference " << expected << ", variance "
                   << noisy.variance[i]);
     if (noisy.variance[i] < kNoiseFreeVariance) {
@@ -268,7 +303,7 @@ TEST_CASE("analytic sequence: the noise averages to the reference", "[io]") {
 }
 
 TEST_CASE("analytic sequence: no reference unless asked for", "[io]") {
-  REQUIRE_FALSE(makeAnalyticSequence(optionsOfSize(8, 8))->reference(0).has_value());
+  REQUIRE_FALSE(makeAnalyticSequence(optionsOfSize(8, 8))->hasReference(0, ReferenceKind::Centre));
 }
 
 TEST_CASE("analytic sequence: frames outside the sequence are refused", "[io][errors]") {
@@ -279,7 +314,7 @@ TEST_CASE("analytic sequence: frames outside the sequence are refused", "[io][er
   REQUIRE_NOTHROW(sequence->read(15));
   for (const int frame : {-1, 16, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()}) {
     REQUIRE_THROWS_AS(sequence->read(frame), Error);
-    REQUIRE_THROWS_AS(sequence->reference(frame), Error);
+    REQUIRE_THROWS_AS(sequence->reference(frame, ReferenceKind::Centre), Error);
   }
 }
 

@@ -79,8 +79,8 @@ Pixel previousPixelOfCamera(const quell::Camera& camera, const double (&p)[3]) {
     const double* row = &camera.worldToClipPrev[4 * r];
     return row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
   };
-  return {(0.5 + 0.5 * clip(0) / clip(3)) * kWidth - 0.5 - camera.jitterPxPrev[0],
-          (0.5 - 0.5 * clip(1) / clip(3)) * kHeight - 0.5 - camera.jitterPxPrev[1]};
+  return {(0.5 + 0.5 * clip(0) / clip(3)) * kWidth - 0.5 - camera.jitterPx[0],
+          (0.5 - 0.5 * clip(1) / clip(3)) * kHeight - 0.5 - camera.jitterPx[1]};
 }
 
 void requireSamePixel(const Pixel& a, const Pixel& b) {
@@ -103,7 +103,7 @@ TEST_CASE("a BMFR sequence is read frame by frame") {
   REQUIRE(samePixels(frame.radiance, noiseImage(kWidth, kHeight, 3, 2)));
   REQUIRE(samePixels(frame.albedo, noiseImage(kWidth, kHeight, 3, 2)));
   REQUIRE(frame.emission.empty());
-  REQUIRE_FALSE(sequence->reference(2).has_value());
+  REQUIRE_FALSE(sequence->hasReference(2, ReferenceKind::Antialiased));
 }
 
 TEST_CASE("reprojection finds the pixel that the published code finds") {
@@ -117,14 +117,28 @@ TEST_CASE("reprojection finds the pixel that the published code finds") {
                      previousPixelAsPublished(kMatrix1, kOffset2, point));
   }
   REQUIRE(sequence.read(1).camera.worldToClip == sequence.read(2).camera.worldToClipPrev);
+  REQUIRE(sequence.jittered());
+  REQUIRE_FALSE(isJittered(sequence.read(0).camera));
+}
+
+TEST_CASE("pixel offsets that leave the pixel and its neighbours are refused") {
+  const SmallSequence files;
+  std::string header = kCameraHeader;
+  header.replace(header.find("0.75f, 0.5f"), 11, "1.75f, 0.5f");
+  files.writeHeader(header);
+  REQUIRE_THROWS_MATCHES(BmfrSequence(files.directory.path()), Error,
+                         failsWith(ErrorCode::FileError, {"pixel_offsets of frame 1", "1.25"}));
 }
 
 TEST_CASE("a single reference file is the whole reference") {
   const SmallSequence files;
   files.add("reference", 1);
   const BmfrSequence sequence(files.directory.path());
-  REQUIRE(samePixels(sequence.reference(1)->a, noiseImage(kWidth, kHeight, 3, 1)));
-  REQUIRE(sequence.reference(1)->b.empty());
+  const Reference reference =
+      sequence.reference(1, ReferenceKind::Antialiased);  // pixel offsets are jittered
+  REQUIRE(samePixels(reference.a, noiseImage(kWidth, kHeight, 3, 1)));
+  REQUIRE(reference.b.empty());
+  REQUIRE_FALSE(sequence.hasReference(1, ReferenceKind::Centre));
 }
 
 TEST_CASE("limits are optional but come in pairs") {

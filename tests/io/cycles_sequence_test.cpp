@@ -21,10 +21,11 @@ namespace {
 
 constexpr int kWidth = 6, kHeight = 4;
 
-std::string cameraEntry(int frame) {
+std::string cameraEntry(int frame, const std::string& more = "") {
   return "{\"frame\": " + std::to_string(frame) +
          ", \"view_projection\": [[1,2,3,4],[5,6,7,8],[9,10,11,12],[13,14,15,16]],"
-         " \"previous_view_projection\": [[0.1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}";
+         " \"previous_view_projection\": [[0.1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]" +
+         more + "}";
 }
 
 /// Frames 3 to 5 with the required buffers and albedo.
@@ -71,15 +72,71 @@ TEST_CASE("a Cycles sequence is read frame by frame") {
   REQUIRE(frame.camera.jitterPx == std::array<double, 2>{0.0, 0.0});
 }
 
+TEST_CASE("jitter of a frame is read where camera.json has it") {
+  const SmallSequence files;
+  REQUIRE_FALSE(openSequence(files.directory.path())->jittered());
+  const auto writeJitter = [&](const std::string& value) {
+    files.writeCamera("{\"frames\": [" + cameraEntry(3) + "," + cameraEntry(4, ", \"jitter_px\": " + value) +
+                      "," + cameraEntry(5) + "]}");
+  };
+  writeJitter("[0.25, -1]");
+  const auto sequence = openSequence(files.directory.path());
+  REQUIRE(sequence->jittered());
+  REQUIRE(sequence->read(4).camera.jitterPx == std::array<double, 2>{0.25, -1.0});
+  REQUIRE(sequence->read(5).camera.jitterPx == std::array<double, 2>{0.0, 0.0});
+  for (const char* value : {"[0.25]", "[0, 0, 0]", "\"no\"", "[0, null]", "0.5", "[0, 1.25]", "[-2, 0]"}) {
+    INFO(value);
+    writeJitter(value);
+    REQUIRE_THROWS_MATCHES(CyclesSequence(files.directory.path()), Error,
+                           failsWith(ErrorCode::FileError, {"camera.json"}));
+  }
+  writeJitter("[0, 1.25]");
+  REQUIRE_THROWS_MATCHES(CyclesSequence(files.directory.path()), Error,
+                         failsWith(ErrorCode::FileError, {"jitter_px of frame 4", "1.25"}));
+}
+
 TEST_CASE("references are optional, and so is their second half") {
   const SmallSequence files;
   files.add("ref_a_color", 4);
   files.add("ref_a_color", 5);
   files.add("ref_b_color", 5);
   const CyclesSequence sequence(files.directory.path());
-  REQUIRE_FALSE(sequence.reference(3).has_value());
-  REQUIRE(sequence.reference(4)->b.empty());
-  REQUIRE(samePixels(sequence.reference(5)->b, noiseImage(kWidth, kHeight, 3, 5)));
+  constexpr ReferenceKind kCentre = ReferenceKind::Centre;
+  REQUIRE_FALSE(sequence.hasReference(3, kCentre));
+  REQUIRE_THROWS_MATCHES(sequence.reference(3, kCentre), Error,
+                         failsWith(ErrorCode::InvalidArgument, {"reference, centre", "3"}));
+  REQUIRE_FALSE(sequence.hasReference(4, ReferenceKind::Antialiased));
+  REQUIRE(sequence.reference(4, kCentre).b.empty());
+  REQUIRE(samePixels(sequence.reference(5, kCentre).b, noiseImage(kWidth, kHeight, 3, 5)));
+}
+
+TEST_CASE(
+    "linear output is compared with pixel centres, display output of jittered rays with the antialiased") {
+  const SmallSequence files;
+  const auto kindsOf = [&](int frame) {
+    const CyclesSequence sequence(files.directory.path());
+    References references(sequence);
+    const auto& both = references.of(frame);
+    REQUIRE(both.has_value() == references.has(frame));
+    return both ? std::string(toString(both->linear.kind)) + ", " + toString(both->display().kind) : "none";
+  };
+  const auto jitter = [&] {
+    files.writeCamera("{\"frames\": [" + cameraEntry(3) + "," + cameraEntry(4, ", \"jitter_px\": [0.5, 0]") +
+                      "," + cameraEntry(5) + "]}");
+  };
+  REQUIRE(kindsOf(4) == "none");
+  files.add("ref_aa_a_color", 4);
+  files.add("ref_aa_a_color", 5);
+  REQUIRE(kindsOf(4) == "antialiased, antialiased");
+  files.add("ref_a_color", 5);
+  REQUIRE(kindsOf(5) == "centre, centre");
+  REQUIRE(kindsOf(4) == "none");  // one kind for a whole sequence, or figures could not be averaged
+  jitter();
+  REQUIRE(kindsOf(5) == "centre, antialiased");
+  REQUIRE(kindsOf(4) == "none");
+  files.remove("ref_aa_a_color", 5);
+  files.remove("ref_aa_a_color", 4);
+  REQUIRE(kindsOf(5) == "centre, centre");
 }
 
 TEST_CASE("a gap in the frames is named") {

@@ -52,7 +52,7 @@ TEST_CASE("a multilayer file is read as a sequence of one frame, with the camera
   REQUIRE(sequence->frames() == std::vector<int>{12});
   REQUIRE(sequence->width() == kWidth);
   REQUIRE(sequence->height() == kHeight);
-  REQUIRE_FALSE(sequence->reference(12).has_value());
+  REQUIRE_FALSE(sequence->hasReference(12, ReferenceKind::Centre));
   const FrameData frame = sequence->read(12);
   REQUIRE(frame.number == 12);
   REQUIRE_FALSE(frame.demodulated);

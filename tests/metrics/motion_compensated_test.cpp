@@ -23,18 +23,22 @@ Matrix4 lookFrom(double cameraX) {
   return {1, 0, 0, -cameraX, 0, 16.0 / 9.0, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0};
 }
 
-// A wall whose brightness is a ramp in world x, seen from cameraX.
-TrackedFrame wall(double cameraX, double cameraXPrev, float brighter = 0.0f) {
+// A wall whose brightness is a ramp in world x, seen from cameraX through pixel centres; its positions and normals
+// through pixel centres and jitter.
+TrackedFrame wall(double cameraX, double cameraXPrev, float brighter = 0.0f,
+                  std::array<double, 2> jitterPx = {0.0, 0.0}) {
   TrackedFrame frame{
       Image(kWidth, kHeight, 3), Image(kWidth, kHeight, 3), Image(kWidth, kHeight, 3), {}, {}, {}};
   frame.camera.worldToClip = lookFrom(cameraX);
   frame.camera.worldToClipPrev = lookFrom(cameraXPrev);
+  frame.camera.jitterPx = jitterPx;
+  const double unitsPerPx = 2.0 * kDepth / kWidth;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const double worldX = cameraX + kDepth * (2.0 * (x + 0.5) / kWidth - 1.0);
       const double worldY = 9.0 / 16.0 * kDepth * (1.0 - 2.0 * (y + 0.5) / kHeight);
-      frame.positionWorld.at(x, y, 0) = float(worldX);
-      frame.positionWorld.at(x, y, 1) = float(worldY);
+      frame.positionWorld.at(x, y, 0) = float(worldX + unitsPerPx * jitterPx[0]);
+      frame.positionWorld.at(x, y, 1) = float(worldY - unitsPerPx * jitterPx[1]);
       frame.positionWorld.at(x, y, 2) = float(-kDepth);
       frame.normalWorld.at(x, y, 2) = 1.0f;
       for (int c = 0; c < 3; ++c) frame.encoded.at(x, y, c) = float(0.3 + 0.02 * worldX) + brighter;
@@ -56,6 +60,11 @@ double errorOf(const TrackedFrame& before, const TrackedFrame& now) {
 TEST_CASE("a static view gives the plain luma difference") {
   REQUIRE(errorOf(wall(0.0, 0.0), wall(0.0, 0.0, 0.1f)) == Approx(0.1).epsilon(1e-4));
   REQUIRE(errorOf(wall(0.0, 0.0), wall(0.0, 0.0)) < 1e-6);
+}
+
+TEST_CASE("jitter is no motion: pictures are compared pixel centre by pixel centre") {
+  const TrackedFrame before = wall(0.0, 0.0, 0.0f, {-0.25, 0.125}), now = wall(0.0, 0.0, 0.0f, {0.4, -0.5});
+  REQUIRE(errorOf(before, now) < 1e-6);
 }
 
 TEST_CASE("a moving camera over a wall that keeps its light gives no error, a flicker does") {

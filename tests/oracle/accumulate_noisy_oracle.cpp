@@ -82,8 +82,8 @@ class PixelOracle {
   }
 
   Place followMotion() {
-    return placeAt(m_x + double(m_inputs.motion.at(m_x, m_y, 0)) + m_params.jitterStep.x,
-                   m_y + double(m_inputs.motion.at(m_x, m_y, 1)) + m_params.jitterStep.y);
+    return placeAt(m_x + double(m_inputs.motion.at(m_x, m_y, 0)),
+                   m_y + double(m_inputs.motion.at(m_x, m_y, 1)));
   }
 
   Place placeAt(double x, double y) {
@@ -162,6 +162,7 @@ History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, 
     history.weight += weight;
     history.mask |= QUELL_TAP_ACCEPTED(tap.index);
   }
+  if (normalWeight == 0.0) history.mask |= QUELL_HISTORY_REJECTED;
   if (history.weight == 0.0) return history;
   history.irradiance /= history.weight;
   for (double& moment : history.moments) moment /= history.weight;
@@ -196,10 +197,14 @@ void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int
     outputs.newestIrradiance.at(3 * signal + c, x, y) = present ? sample.value[c] : -1.0;
   }
   if (present && history.weight > 0.0) {
-    const auto step = sample.value - history.irradiance;
-    const int planes = QUELL_INNOVATION_PLANES * signal;
-    outputs.innovation.at(planes + QUELL_INNOVATION_LUMINANCE, x, y) = luminance(step);
-    outputs.innovation.at(planes + QUELL_INNOVATION_CHROMINANCE, x, y) = step[0] - step[2];
+    const Vector3d step = sample.value - history.irradiance;
+    const double rounding = QUELL_LEAST_INNOVATION * luminance(sample.value);
+    const auto store = [&](int plane, double difference) {
+      outputs.innovation.at(QUELL_INNOVATION_PLANES * signal + plane, x, y) =
+          std::abs(difference) > rounding ? difference : 0.0;
+    };
+    store(QUELL_INNOVATION_LUMINANCE, luminance(step));
+    store(QUELL_INNOVATION_CHROMINANCE, step[0] - step[2]);
   }
   outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present                ? sample.weight
                                                          : history.weight > 0.0 ? 1.0

@@ -28,6 +28,7 @@ Vector3d irradianceAt(const AtrousInputs& inputs, int signal, int x, int y) {
 }
 
 double luminanceAt(const AtrousInputs& inputs, int signal, int x, int y) {
+  if (inputs.stopLuminance.count > 0) return inputs.stopLuminance.at(signal, x, y);
   const Vector3d rgb = irradianceAt(inputs, signal, x, y);
   return luminanceOf(rgb[0], rgb[1], rgb[2]);
 }
@@ -100,8 +101,9 @@ Filtered filterPixel(const AtrousInputs& inputs, const EdgeStopsOracle& stops, i
       if (column < 0 || column >= size.width || row < 0 || row >= size.height) continue;
       double penalty = 0.0;  // the centre resembles itself
       if (tapX != 0 || tapY != 0) {
+        const double step = rate * std::abs(luminanceAt(inputs, signal, column, row) - luminance);
         penalty = stops.surfacePenalty(column, row, inputs.step * std::hypot(tapX, tapY)) +
-                  rate * std::abs(luminanceAt(inputs, signal, column, row) - luminance);
+                  (inputs.stopLuminance.count > 0 ? step * step : step);
         if (signal == inputs.signals() - 1) penalty += stops.roughnessPenalty(column, row);
       }
       const double spline = splineWeight(inputs.radius, tapX) * splineWeight(inputs.radius, tapY);

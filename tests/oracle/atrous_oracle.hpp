@@ -9,6 +9,8 @@ namespace quell::tests {
 struct AtrousInputs {
   Planes irradiance;  ///< 3 planes a signal
   Planes variance;    ///< 1 plane a signal; empty: none
+  Planes
+      stopLuminance;  ///< 1 plane a signal, which stops compare by a squared penalty; empty: that of irradiance
   FilterGuides guides;
   EdgeStopParams stops{};
   double luminanceSigma = 4.0;

@@ -21,7 +21,7 @@ Surface surfaceAt(const FrameImages& frame, int x, int y, bool& undecided) {
                          : Vector3d(position - linearPart(params.cameraHigh) - linearPart(params.cameraLow));
   const double length = surface.normal.squaredNorm();
   for (const double limit : {QUELL_MIN_NORMAL_SQUARED, QUELL_MAX_NORMAL_SQUARED})
-    undecided = undecided || std::abs(length - limit) <= kSurfaceRounding;
+    undecided = undecided || std::abs(length - limit) <= kSurfaceRounding * limit;
   surface.valid = surface.position.allFinite() &&
                   surface.position.cwiseAbs().maxCoeff() < QUELL_MAX_POSITION &&
                   length >= QUELL_MIN_NORMAL_SQUARED && length <= QUELL_MAX_NORMAL_SQUARED;

@@ -1,7 +1,7 @@
 #include "tests/oracle/temporal_antialiasing_oracle.hpp"
 
 #include <Eigen/Core>
-#include <cstdlib>
+#include <algorithm>
 
 #include "kernels/accumulate_noisy_params.h"
 #include "tests/oracle/bilinear_oracle.hpp"
@@ -31,18 +31,25 @@ struct Bounds {
 };
 
 // Mean of the bounds of the 3x3 box and of its cross, in YCoCg.
-Bounds neighbourhood(const Planes& encoded, int x, int y) {
-  const Vector3d centre = toYCoCg(colorAt(encoded, x, y));
+Bounds neighbourhood(const Planes& denoised, int x, int y) {
+  const Vector3d centre = toYCoCg(colorAt(denoised, x, y));
   Bounds box{centre, centre}, cross{centre, centre};
   for (int row = y - 1; row <= y + 1; ++row) {
     for (int column = x - 1; column <= x + 1; ++column) {
-      if (row < 0 || row >= encoded.height || column < 0 || column >= encoded.width) continue;
-      const Vector3d neighbour = toYCoCg(colorAt(encoded, column, row));
+      if (row < 0 || row >= denoised.height || column < 0 || column >= denoised.width) continue;
+      const Vector3d neighbour = toYCoCg(colorAt(denoised, column, row));
       box.include(neighbour);
       if (row == y || column == x) cross.include(neighbour);
     }
   }
   return {0.5 * (box.low + cross.low), 0.5 * (box.high + cross.high)};
+}
+
+bool rejectedAround(const Planes& mask, int x, int y) {
+  for (int row = std::max(y - 1, 0); row <= std::min(y + 1, mask.height - 1); ++row)
+    for (int column = std::max(x - 1, 0); column <= std::min(x + 1, mask.width - 1); ++column)
+      if ((int(mask.at(0, column, row)) & QUELL_HISTORY_REJECTED) == 0) return false;
+  return true;
 }
 
 struct Sampled {
@@ -64,18 +71,18 @@ Sampled sample(const Planes& planes, double x, double y) {
 }  // namespace
 
 ExactPlanes temporalAntialiasingOracle(const TemporalAntialiasingInputs& inputs) {
-  ExactPlanes antialiased(inputs.encoded.size(), 3);
-  forEachPixel(inputs.encoded.size(), [&](int x, int y) {
-    Vector3d color = colorAt(inputs.encoded, x, y);
+  ExactPlanes antialiased(inputs.denoised.size(), 3);
+  forEachPixel(inputs.denoised.size(), [&](int x, int y) {
+    Vector3d color = colorAt(inputs.denoised, x, y);
     const Sampled history =
         sample(inputs.antialiasedPrev, inputs.pixelPrev.at(0, x, y), inputs.pixelPrev.at(1, x, y));
     const bool inFrame = (int(inputs.reprojectionMask.at(0, x, y)) & QUELL_PREV_IN_FRAME) != 0;
-    if (inFrame && history.weight > 0.0) {
-      const Bounds bounds = neighbourhood(inputs.encoded, x, y);
+    if (inFrame && history.weight > 0.0 && !rejectedAround(inputs.reprojectionMask, x, y)) {
+      const Bounds bounds = neighbourhood(inputs.denoised, x, y);
       const Vector3d clamped = toYCoCg(history.color).cwiseMax(bounds.low).cwiseMin(bounds.high);
       color = inputs.newestWeight * color + (1.0 - inputs.newestWeight) * toRgb(clamped);
     }
-    color = color.cwiseMax(0.0).cwiseMin(1.0);
+    color = color.cwiseMax(0.0).cwiseMin(QUELL_MAX_RADIANCE);
     for (int c = 0; c < 3; ++c) antialiased.at(c, x, y) = color[c];
   });
   return antialiased;

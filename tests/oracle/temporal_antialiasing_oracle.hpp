@@ -7,14 +7,14 @@
 namespace quell::tests {
 
 struct TemporalAntialiasingInputs {
-  Planes encoded;           ///< 3 planes, [0, 1]
-  Planes antialiasedPrev;   ///< 3 planes, [0, 1]
+  Planes denoised;          ///< linear radiance, 3 planes
+  Planes antialiasedPrev;   ///< the same
   Planes pixelPrev;         ///< 2 planes
   Planes reprojectionMask;  ///< 1 plane
   double newestWeight = 0.2;
 };
 
-/// Display-encoded values, 3 planes.
+/// Linear radiance, 3 planes.
 ExactPlanes temporalAntialiasingOracle(const TemporalAntialiasingInputs& inputs);
 
 }  // namespace quell::tests

@@ -46,14 +46,32 @@ double samplesBehind(const VarianceInputs& inputs, double length) {
   return inputs.ofMean ? std::max(length, 1.0) : 1.0;
 }
 
+// Over 3x3 pixels of the image with binomial weights, of what has a sample.
+double prefilteredLuminance(const VarianceInputs& inputs, int signal, int x, int y) {
+  const Size size = inputs.irradiance.size();
+  double sum = 0.0, weights = 0.0;
+  for (int row = std::max(0, y - 1); row <= std::min(size.height - 1, y + 1); ++row) {
+    for (int column = std::max(0, x - 1); column <= std::min(size.width - 1, x + 1); ++column) {
+      const double weight = (2 - std::abs(column - x)) * (2 - std::abs(row - y)) *
+                            double(inputs.guides.guides.at(QUELL_GUIDE_WEIGHT + signal, column, row));
+      const auto channel = [&](int c) { return double(inputs.irradiance.at(3 * signal + c, column, row)); };
+      sum += weight * luminanceOf(channel(0), channel(1), channel(2));
+      weights += weight;
+    }
+  }
+  return weights > 0.0 ? sum / weights : 0.0;
+}
+
 }  // namespace
 
 VarianceExact varianceOracle(const VarianceInputs& inputs) {
   const Size size = inputs.moments.size();
   const int signals = inputs.historyLength.count;
-  VarianceExact exact{ExactPlanes(size, signals), ExactPlanes(size, signals)};
+  VarianceExact exact{ExactPlanes(size, signals), ExactPlanes(size, signals), ExactPlanes(size, signals)};
   for (int signal = 0; signal < signals; ++signal) {
     forEachPixel(size, [&](int x, int y) {
+      if (inputs.irradiance.count > 0)
+        exact.stopLuminance.at(signal, x, y) = prefilteredLuminance(inputs, signal, x, y);
       const double length = inputs.historyLength.at(signal, x, y);
       const bool hasSample = inputs.guides.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) > 0.0f;
       const bool spatial = length < inputs.temporalFrames && hasSample;

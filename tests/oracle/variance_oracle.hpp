@@ -9,6 +9,7 @@ namespace quell::tests {
 struct VarianceInputs {
   Planes moments;        ///< 2 planes a signal
   Planes historyLength;  ///< 1 plane a signal
+  Planes irradiance;     ///< 3 planes a signal; empty: no luminance for stops is asked for
   FilterGuides guides;
   EdgeStopParams stops{};
   int temporalFrames = 4;
@@ -18,6 +19,7 @@ struct VarianceInputs {
 struct VarianceExact {
   ExactPlanes variance;   ///< 1 plane a signal
   ExactPlanes magnitude;  ///< of the second moment: what rounding errors are relative to; 1 plane a signal
+  ExactPlanes stopLuminance;  ///< 1 plane a signal; 0 without irradiance
 };
 
 VarianceExact varianceOracle(const VarianceInputs& inputs);

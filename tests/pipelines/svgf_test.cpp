@@ -23,8 +23,8 @@ std::unique_ptr<io::FrameSequence> colonnade() {
 }
 
 metrics::ErrorFigures compareLast(const io::FrameSequence& sequence, const io::Image& image) {
-  const auto reference = sequence.reference(15);
-  return metrics::compareToReference(image, false, reference->a, reference->b);
+  const auto reference = sequence.reference(15, io::ReferenceKind::Centre);
+  return metrics::compareToReference(image, false, reference.a, reference.b);
 }
 
 Settings withSetting(const std::string& method, const std::string& name, const std::string& value) {

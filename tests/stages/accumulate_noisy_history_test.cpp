@@ -21,7 +21,8 @@ TEST_CASE("accumulate_noisy without history is the plain sample") {
     const auto outputs = noisy.outputs();
     forEachPixel(options.size, [&](int x, int y) {
       const bool surface = isSurface(outputs.guides, x, y);
-      CHECK(outputs.reprojectionMask.at(0, x, y) == (frameBefore ? float(QUELL_PREV_IN_FRAME) : 0.0f));
+      const int mask = int(outputs.reprojectionMask.at(0, x, y)) & ~QUELL_HISTORY_REJECTED;
+      CHECK(mask == (frameBefore ? QUELL_PREV_IN_FRAME : 0));
       CHECK(outputs.historyLength.at(0, x, y) == (surface ? 1.0f : 0.0f));
       for (int c = 0; c < 3; ++c) {
         const double expected = surface ? noisy.inputs.material.radiance.at(x, y, c) : 0.0;

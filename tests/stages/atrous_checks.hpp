@@ -18,6 +18,7 @@ inline AtrousVariant ofQuell(int iteration, double sharpRoughness = kSharpRoughn
 inline void flatten(AtrousInputs& inputs) {
   fill(inputs.guides.guides, 0.0f);
   fill(inputs.guides.viewDepth, 5.0f);
+  fill(inputs.stopLuminance, 1.0f);
   forEachPixel(inputs.irradiance.size(), [&](int x, int y) {
     inputs.guides.guides.at(QUELL_GUIDE_NORMAL + 2, x, y) = 1.0f;
     for (int signal = 0; signal < inputs.signals(); ++signal)

@@ -23,11 +23,11 @@ TEST_CASE("background leaves alone what has a surface") {
   for (const CaseOptions& options : bothMappings({61, 40})) {
     BackgroundCase background(options);
     background.uploadAndRun();
-    const Planes encoded = background.encoded(), antialiased = background.antialiased();
+    const Planes denoised = background.denoised(), antialiased = background.antialiased();
     std::size_t touched = 0;
     forEachPixel(options.size, [&](int x, int y) {
       if (background.isBackground(x, y)) return;
-      touched += encoded.at(0, x, y) != -1.0f || antialiased.at(0, x, y) != -1.0f;
+      touched += denoised.at(0, x, y) != -1.0f || antialiased.at(0, x, y) != -1.0f;
     });
     CHECK(touched == 0);
   }

@@ -13,9 +13,9 @@ using namespace quell::tests;
 
 namespace {
 
-CaseMaker maker(const MaterialVariant& variant, bool isLast = false) {
-  return [variant, isLast](const CaseOptions& options) {
-    return std::make_unique<RemodulateCase>(options, variant, isLast);
+CaseMaker maker(const MaterialVariant& variant, RemodulateTo to = RemodulateTo::Antialiasing) {
+  return [variant, to](const CaseOptions& options) {
+    return std::make_unique<RemodulateCase>(options, variant, to);
   };
 }
 
@@ -24,12 +24,12 @@ std::vector<float> encode(const std::vector<float>& values, Mapping mapping) {
   CaseOptions options;
   options.size = {int(values.size()), 1};
   options.mapping = mapping;
-  RemodulateCase remodulate(options, kPlainMaterial);
+  RemodulateCase remodulate(options, kPlainMaterial, RemodulateTo::Outputs);
   std::fill(remodulate.inputs.guides.values.begin(), remodulate.inputs.guides.values.end(), 0.0f);
   for (int x = 0; x < options.size.width; ++x)
     for (int c = 0; c < 3; ++c) remodulate.inputs.material.radiance.at(x, 0, c) = values[std::size_t(x)];
   remodulate.uploadAndRun();
-  const Planes encoded = remodulate.encoded();
+  const Planes encoded = remodulate.display();
   return {encoded.values.begin(), encoded.values.begin() + options.size.width};
 }
 
@@ -60,17 +60,23 @@ TEST_CASE("remodulate agrees with its oracle whichever images there are") {
   checkVariants(makers);
 }
 
+TEST_CASE("remodulate leaves the linear image of jittered rays to antialiasing") {
+  checkVariants({maker(kFullMaterial, RemodulateTo::AntialiasingOnly)});
+  RemodulateCase remodulate({}, kFullMaterial, RemodulateTo::AntialiasingOnly);
+  CHECK_FALSE(remodulate.harness().hasPort("linear"));
+}
+
 TEST_CASE("remodulate reads and writes every layout") {
-  checkLayouts(maker(kFullMaterial, true), outputLayouts());
+  checkLayouts(maker(kFullMaterial, RemodulateTo::Outputs), outputLayouts());
 }
 
 TEST_CASE("remodulate leaves out background") {
   checkHoles(maker(kTwoSignals));
-  checkHoles(maker(kFullMaterial, true));
+  checkHoles(maker(kFullMaterial, RemodulateTo::Outputs));
 }
 
 TEST_CASE("remodulate does not depend on the work-group") {
-  checkWorkGroups(maker(kFullMaterial), {"encoded"});
+  checkWorkGroups(maker(kFullMaterial), {"denoised"});
 }
 
 TEST_CASE("remodulate encodes 0 and 1 as themselves, clamps, and rises along a ramp") {

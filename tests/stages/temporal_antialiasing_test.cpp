@@ -32,6 +32,11 @@ TEST_CASE("temporal_antialiasing writes every layout of the display image") {
   checkLayouts(make, outputLayouts());
 }
 
+TEST_CASE("temporal_antialiasing writes the linear image where rays are jittered") {
+  checkVariants(
+      {[](const CaseOptions& options) { return std::make_unique<TemporalAntialiasingCase>(options, true); }});
+}
+
 TEST_CASE("temporal_antialiasing leaves out background") { checkHoles(make); }
 
 TEST_CASE("temporal_antialiasing does not depend on the work-group") {
@@ -41,7 +46,7 @@ TEST_CASE("temporal_antialiasing does not depend on the work-group") {
 TEST_CASE("temporal_antialiasing of a constant is constant whatever the history") {
   for (const CaseOptions& options : bothMappings()) {
     TemporalAntialiasingCase taa(options);
-    taa.inputs.encoded = constantColor(options.size, 0.25f, 0.5f, 0.875f);
+    taa.inputs.denoised = constantColor(options.size, 0.25f, 0.5f, 0.875f);
     taa.uploadAndRun();
     const Planes result = taa.antialiased();
     forEachPixel(options.size, [&](int x, int y) {
@@ -57,7 +62,30 @@ TEST_CASE("temporal_antialiasing keeps the newest colour where there was no fram
   TemporalAntialiasingCase taa(options);
   for (float& mask : taa.inputs.reprojectionMask.values) mask = float(int(mask) & ~QUELL_PREV_IN_FRAME);
   taa.uploadAndRun();
-  CHECK(sameBits(taa.antialiased(), taa.inputs.encoded));
+  CHECK(sameBits(taa.antialiased(), taa.inputs.denoised));
+}
+
+TEST_CASE("temporal_antialiasing takes no history where accumulation took none, silhouettes apart") {
+  for (const CaseOptions& options : bothMappings()) {
+    TemporalAntialiasingCase taa(options);
+    const int lastRejected = 12;
+    forEachPixel(options.size, [&](int x, int y) {
+      taa.inputs.pixelPrev.at(0, x, y) = float(x);
+      taa.inputs.pixelPrev.at(1, x, y) = float(y);
+      const bool rejected = x <= lastRejected || x == 20;  // an area and a silhouette
+      taa.inputs.reprojectionMask.at(0, x, y) =
+          QUELL_PREV_IN_FRAME | (rejected ? QUELL_HISTORY_REJECTED : QUELL_TAP_ACCEPTED(0));
+    });
+    checkAgreement(taa, options);
+    const Planes result = taa.antialiased();
+    std::size_t kept = 0, blended = 0;
+    forEachPixel(options.size, [&](int x, int y) {
+      const bool newest = result.at(0, x, y) == taa.inputs.denoised.at(0, x, y);
+      (x < lastRejected ? kept : blended) += newest == (x < lastRejected);
+    });
+    CHECK(kept == std::size_t(lastRejected * options.size.height));
+    CHECK(blended > std::size_t((options.size.width - lastRejected) * options.size.height * 3 / 4));
+  }
 }
 
 TEST_CASE("temporal_antialiasing without motion blends by the weight of the newest frame") {
@@ -69,14 +97,14 @@ TEST_CASE("temporal_antialiasing without motion blends by the weight of the newe
     taa.inputs.pixelPrev.at(1, x, y) = float(y);
     taa.inputs.reprojectionMask.at(0, x, y) = QUELL_PREV_IN_FRAME;
     for (int c = 0; c < 3; ++c) {
-      taa.inputs.encoded.at(c, x, y) = float((x + y) % 2);
+      taa.inputs.denoised.at(c, x, y) = float((x + y) % 2);
       taa.inputs.antialiasedPrev.at(c, x, y) = 0.5f;
     }
   });
   taa.uploadAndRun();
   const Planes result = taa.antialiased();
   forEachPixel(options.size, [&](int x, int y) {
-    const double expected = 0.2 * ((x + y) % 2) + 0.8 * 0.5;
+    const double expected = taa.inputs.newestWeight * ((x + y) % 2) + (1.0 - taa.inputs.newestWeight) * 0.5;
     CHECK(result.at(1, x, y) == Approx(expected).margin(kTemporalAntialiasingTolerance));
   });
 }

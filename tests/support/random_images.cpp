@@ -17,6 +17,8 @@ bool tapInFrame(Size size, double x, double y, int tap) {
 
 int randomMask(Random& random, Size size, double x, double y) {
   int mask = QUELL_PREV_IN_FRAME;
+  if (random.uniform() < 0.6)
+    return mask | QUELL_HISTORY_REJECTED;  // so often that all neighbours are, now and then
   for (int tap = 0; tap < 4; ++tap)
     if (tapInFrame(size, x, y, tap) && random.uniform() < 0.8) mask |= QUELL_TAP_ACCEPTED(tap);
   return mask;

@@ -91,7 +91,6 @@ Camera makeCamera(const TestCamera& now, const TestCamera& before, Size size) {
   camera.worldToClip = worldToClip(now, size);
   camera.worldToClipPrev = worldToClip(before, size);
   camera.jitterPx = now.jitterPx;
-  camera.jitterPxPrev = before.jitterPx;
   return camera;
 }
 

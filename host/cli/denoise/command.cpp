@@ -94,6 +94,7 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
                    DenoiseReport& report) {
   OutputHash hash;
   metrics::MotionCompensatedErrorMeter flicker;
+  io::References references(sequence);
   Progress progress(kCommand, frames.size());
   for (const int number : frames) {
     const io::FrameData frame = sequence.read(number);
@@ -105,9 +106,9 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
     for (const std::string& name : options.dump)
       files->writeBuffer(number, session.denoiser().readBuffer(name));
     if (options.debugTiles) files->writeTiles(number, denoised, session.denoiser().backgroundMap());
-    if (const auto reference = sequence.reference(number)) {
+    if (const auto& reference = references.of(number)) {
       if (frame.comparable()) report.errors.push_back(compareFrame(frame, denoised, *reference));
-      if (files != nullptr) files->writeComparison(frame, denoised, *reference);
+      if (files != nullptr) files->writeComparison(frame, denoised, reference->display());
     }
     ++report.frames;
     progress.step(fmt::format("frame {}", number));

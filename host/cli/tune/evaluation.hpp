@@ -46,7 +46,8 @@ struct EvaluatedSequence {
   Size size;
   std::size_t frames = 0;
   std::vector<int> references;  ///< numbers of the frames with a reference, at least one
-  bool unbiased = true;         ///< all references have two halves
+  io::ReferenceKind referenceKind = io::ReferenceKind::Centre;
+  bool unbiased = true;  ///< all references have two halves
 };
 
 struct Evaluation {

@@ -33,7 +33,13 @@ class WatchedSequence final : public io::FrameSequence {
   std::string fileOf(int frame, const ImageFiles& files) const override {
     return m_sequence->fileOf(frame, files);
   }
-  std::optional<io::Reference> reference(int frame) const override { return m_sequence->reference(frame); }
+  bool hasReference(int frame, io::ReferenceKind kind) const override {
+    return m_sequence->hasReference(frame, kind);
+  }
+  io::Reference reference(int frame, io::ReferenceKind kind) const override {
+    return m_sequence->reference(frame, kind);
+  }
+  bool jittered() const override { return m_sequence->jittered(); }
   std::optional<io::HistoryLimits> historyLimits() const override { return m_sequence->historyLimits(); }
 
   io::FrameData read(int frame) const override {
