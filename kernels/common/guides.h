@@ -2,11 +2,11 @@
 #ifndef QUELL_COMMON_GUIDES_H
 #define QUELL_COMMON_GUIDES_H
 
-// Planes of the guides; with two signals a second weight follows.
+// Planes of the guides; with two signals a second weight follows. The normal is turned where light has no factor in a
+// channel (filteredNormal() in common/filter_input.h), and 0 where the pixel cannot be filtered.
 #define QUELL_GUIDE_POSITION 0  // camera-relative position, 3 planes
-#define QUELL_GUIDE_NORMAL 3    // world-space normal, 3 planes; turned where light has no factor in a channel (see
-                                // common/filter_input.h); 0 where the pixel cannot be filtered
-#define QUELL_GUIDE_WEIGHT 6    // weight as a filter tap, 0 or 1, per signal; 0 where there is no sample to filter
+#define QUELL_GUIDE_NORMAL 3    // world-space normal, 3 planes
+#define QUELL_GUIDE_WEIGHT 6    // weight as a filter tap per signal: 0 where there is no sample to filter, else 1
 #define QUELL_GUIDE_PLANES_OF(signals) (QUELL_GUIDE_WEIGHT + (signals))
 
 // Planes of the moments of luminance, per signal.
@@ -20,6 +20,6 @@
 // Bits of the reprojection mask, one plane per signal.
 #define QUELL_TAP_ACCEPTED(i) (1 << (i))  // bilinear tap i shows the same surface
 #define QUELL_PREV_IN_FRAME 16            // the pixel lay inside the frame before
-#define QUELL_HISTORY_REJECTED 32         // there is a surface, and what the frame before had there was another
+#define QUELL_HISTORY_REJECTED 32         // a surface that met another one in the frame before
 
 #endif

@@ -1,4 +1,4 @@
-#include "host/cli/watch/noise_watch.hpp"
+#include "host/cli/common/noise_watch.hpp"
 
 #include <catch2/catch.hpp>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "host/cli/watch/normal_check.hpp"
+#include "host/cli/common/normal_check.hpp"
 
 #include <catch2/catch.hpp>
 #include <functional>

@@ -9,7 +9,7 @@
 
 #include "host/analytic/sequence.hpp"
 #include "host/cli/common/command_arguments.hpp"
-#include "host/cli/watch/watched_sequence.hpp"
+#include "host/cli/common/watched_sequence.hpp"
 
 namespace quell::cli {
 namespace {

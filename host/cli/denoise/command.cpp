@@ -15,7 +15,7 @@
 #include "host/cli/common/fair_rounds.hpp"
 #include "host/cli/common/output_files.hpp"
 #include "host/cli/common/progress.hpp"
-#include "host/cli/watch/watched_sequence.hpp"
+#include "host/cli/common/watched_sequence.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/frame_sequence.hpp"
 

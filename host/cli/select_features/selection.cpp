@@ -10,7 +10,7 @@
 
 #include "host/cli/common/denoise_session.hpp"
 #include "host/cli/common/progress.hpp"
-#include "host/cli/watch/watched_sequence.hpp"
+#include "host/cli/common/watched_sequence.hpp"
 #include "host/metrics/display_encoding.hpp"
 #include "host/metrics/error.hpp"
 #include "host/stages/fit_features.hpp"

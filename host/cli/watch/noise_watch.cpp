@@ -1,4 +1,4 @@
-#include "host/cli/watch/noise_watch.hpp"
+#include "host/cli/common/noise_watch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "host/cli/watch/pixels.hpp"
+#include "host/cli/common/pixels.hpp"
 
 namespace quell::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "host/cli/watch/normal_check.hpp"
+#include "host/cli/common/normal_check.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "host/cli/watch/pixels.hpp"
+#include "host/cli/common/pixels.hpp"
 
 namespace quell::cli {
 namespace {

@@ -1,13 +1,13 @@
-#include "host/cli/watch/watched_sequence.hpp"
+#include "host/cli/common/watched_sequence.hpp"
 
 #include <fmt/format.h>
 
 #include <set>
 #include <utility>
 
+#include "host/cli/common/noise_watch.hpp"
+#include "host/cli/common/normal_check.hpp"
 #include "host/cli/common/progress.hpp"
-#include "host/cli/watch/noise_watch.hpp"
-#include "host/cli/watch/normal_check.hpp"
 
 namespace quell::cli {
 namespace {
