@@ -11,14 +11,14 @@
 #define REMODULATE_OPTIONS(OPTION, SIZE)                                                                            \
   OPTION(QUELL_SIGNALS) OPTION(DEMODULATED) OPTION(DEMODULATE) OPTION(WRITE_PLANES) OPTION(SKIP) SIZE(surfaceItems)
 
-#define REMODULATE_PORTS(PORT, IMAGE, OUTPUT)                                                 \
-  PORT(filtered, READ,  FLOAT, 3 * QUELL_SIGNALS,                    ALL,       ALWAYS)       \
-  PORT(guides,   READ,  FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS), PLANES(3), ALWAYS)       \
-  F_BETA_KEPT_PORT(PORT, READ, 1)                                                             \
-  LIGHT_IMAGES(IMAGE, 1)                                                                      \
-  PORT(encoded,  WRITE, FLOAT, 3,                                    ALL,       WRITE_PLANES) \
-  OUTPUT(linear, LINEAR, 1, ALWAYS)                                                           \
-  OUTPUT(display, DISPLAY, 1, !WRITE_PLANES)                                                  \
+#define REMODULATE_PORTS(PORT, IMAGE, OUTPUT)                                                                 \
+  PORT(filtered, READ,  FLOAT, 3 * QUELL_SIGNALS,                    ALL,                       ALWAYS)       \
+  PORT(guides,   READ,  FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS), PLANES(3 + QUELL_SIGNALS), ALWAYS)       \
+  F_BETA_KEPT_PORT(PORT, READ, 1)                                                                             \
+  LIGHT_IMAGES(IMAGE, 1)                                                                                      \
+  PORT(encoded,  WRITE, FLOAT, 3,                                    ALL,                       WRITE_PLANES) \
+  OUTPUT(linear, LINEAR, 1, ALWAYS)                                                                           \
+  OUTPUT(display, DISPLAY, 1, !WRITE_PLANES)                                                                  \
   SURFACES_PORT(PORT)
 // clang-format on
 
