@@ -64,9 +64,8 @@ void addImageStages(std::vector<StageEntry>& entries, const std::string& variant
   entries.push_back(
       entry<tests::RemodulateCase>("remodulate.two_signals_" + variant, mapping, layout, tests::kTwoSignals));
   entries.push_back(entry<tests::BackgroundCase>("background." + variant, mapping, layout));
-  entries.push_back(
-      entry<tests::RemodulateCase>("remodulate.last_" + variant, mapping, layout, kFullMaterial,
-                                    tests::RemodulateTo::Outputs));
+  entries.push_back(entry<tests::RemodulateCase>("remodulate.last_" + variant, mapping, layout, kFullMaterial,
+                                                 tests::RemodulateTo::Outputs));
   entries.push_back(
       entry<tests::TemporalAntialiasingCase>("temporal_antialiasing." + variant, mapping, layout));
 }

@@ -6,7 +6,7 @@
 // channel (filteredNormal() in common/filter_input.h), and 0 where the pixel cannot be filtered.
 #define QUELL_GUIDE_POSITION 0  // camera-relative position, 3 planes
 #define QUELL_GUIDE_NORMAL 3    // world-space normal, 3 planes
-#define QUELL_GUIDE_WEIGHT 6    // weight as a filter tap per signal: 0 where there is no sample to filter, else 1
+#define QUELL_GUIDE_WEIGHT 6    // weight as a filter tap per signal: 0 where there is no sample, else 1
 #define QUELL_GUIDE_PLANES_OF(signals) (QUELL_GUIDE_WEIGHT + (signals))
 
 // Planes of the moments of luminance, per signal.

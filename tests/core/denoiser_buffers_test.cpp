@@ -115,7 +115,8 @@ TEST_CASE("buffers that are unknown, not kept or not there yet are refused", "[c
 TEST_CASE("prepare() refuses to keep what the method does not have and says what it has", "[core]") {
   OpenDevice device;
   const FrameBuffers buffers(device, {});
-  Denoiser denoiser(device.context, device.device, device.queue, Settings(), keeping({"denoised", "nothing"}));
+  Denoiser denoiser(device.context, device.device, device.queue, Settings(),
+                    keeping({"denoised", "nothing"}));
   CHECK(denoiser.bufferNames().empty());
   const auto prepare = [&] { denoiser.prepare(buffers.frame, buffers.output); };
   checkRefused({ErrorCode::InvalidArgument, "prepare", "options.keptBuffers", "antialiased", "nothing"},
