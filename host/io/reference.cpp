@@ -45,8 +45,9 @@ void requireReference(const FrameSequence& sequence, int frame, ReferenceKind ki
 References::References(const FrameSequence& sequence) : m_sequence(sequence) {
   const bool centre = anyFrameHas(sequence, ReferenceKind::Centre);
   const bool antialiased = anyFrameHas(sequence, ReferenceKind::Antialiased);
-  m_linearKind = antialiased && !centre ? ReferenceKind::Antialiased : ReferenceKind::Centre;
-  m_displayKind = antialiased && sequence.jittered() ? ReferenceKind::Antialiased : m_linearKind;
+  const bool wanted = !centre || sequence.jittered();
+  m_linearKind = antialiased && wanted ? ReferenceKind::Antialiased : ReferenceKind::Centre;
+  m_displayKind = m_linearKind;
 }
 
 bool References::has(int frame) const {

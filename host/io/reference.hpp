@@ -47,7 +47,7 @@ class References {
   /// Looks which files there are.
   explicit References(const FrameSequence& sequence);
 
-  /// Of pixel centres if any frame has such a reference.
+  /// Of pixel centres if any frame has such a reference, unless rays are jittered, whose linear output is antialiased, too.
   ReferenceKind linearKind() const { return m_linearKind; }
   /// After temporal antialiasing: antialiased where rays are jittered and any frame has such a reference, else as for
   /// linear output.

@@ -7,6 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "host/cli/common/ray_jitter.hpp"
+
 namespace quell::cli {
 
 void refuse(const char* command, const std::string& option, const std::string& expected,
@@ -124,6 +126,7 @@ bool hasSetting(const std::string& method, const std::string& setting) {
 
 Settings defaultSettings(const std::string& method, const io::FrameSequence& sequence) {
   Settings settings(method);
+  if (hasSetting(method, "jitteredRays") && hasJitteredRays(sequence)) settings.set("jitteredRays", "on");
   const std::optional<io::HistoryLimits> limits = sequence.historyLimits();
   if (!limits) return settings;
   // Published with the sequence, so better than any default.
