@@ -4,21 +4,32 @@
 //          described in common/demodulation.h. Display encoding: reference implementation (the paper leaves the tone
 //          map to the renderer).
 // In:      filtered irradiance (3 planes per signal), guides, the caller's radiance (or diffuse and glossy radiance),
-//          emission, albedo and gloss colour; F_beta (3 planes) where light was divided by it.
+//          emission, albedo and gloss colour; F_beta (3 planes) where light was divided by it; with KEEP_LIGHT gains
+//          (1 float per tile and signal, see light_gain.cl), interpolated between the centres of tiles.
 // Out:     linear radiance, finite, in [0, 65504]: as 3 planes for temporal_antialiasing, which then writes the display
 //          image, and with ANTIALIAS_LINEAR the linear one, or in the caller's layout; without it encoded for display, in
 //          [0, 1], as well; of each what the caller wants.
 //          Background and broken surfaces pass the signal through; a missing sample there is black.
 #include "common/display_encoding.h"
 #include "common/guides.h"
+#include "common/luminance.h"
 #include "common/material.h"
 #include "common/planes.h"
 #include "common/surfaces.h"
+#include "common/tiles.h"
+#include "light_params.h"
 #include "remodulate_ports.h"
 
 QUELL_INLINE floatL blendChannel(floatL share, floatL factor, floatL filtered, floatL signal) {
   return share * (factor * filtered) + (1.0f - share) * signal;
 }
+
+#if KEEP_LIGHT
+QUELL_INLINE float3L giveLightBack(float3L filtered, floatL gain) {
+  const floatL ratio = 1.0f + gain * luminance(filtered);
+  return scale3(filtered, clampLanes(ratio, QUELL_LIGHT_LEAST_RATIO, QUELL_LIGHT_MOST_RATIO));
+}
+#endif
 
 // Radiance of one signal; its filtered value counts only on surfaces.
 QUELL_INLINE float3L remodulateSignal(Signal signal, float3L filtered, intL surface) {
@@ -40,8 +51,14 @@ __kernel void remodulate(STAGE_ARGUMENTS(REMODULATE) RemodulateParams params) {
   const Material material = loadMaterial(images, keptFBeta(fBeta, index, stride), x, y, lanes);
   const intL surface = dot3(normal, normal) > 0.0f;
   float3L radianceOut = material.emission;
+#if KEEP_LIGHT
+  const TileMix mix = mixTiles(params.tilesX, params.tilesY, x, y);
+#endif
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    const float3L value = loadLanes3(filtered + 3 * s * stride, index, stride);
+    float3L value = loadLanes3(filtered + 3 * s * stride, index, stride);
+#if KEEP_LIGHT
+    value = giveLightBack(value, mixedValue(lightGain + s * params.tilesX * params.tilesY, mix));
+#endif
     radianceOut = add3(radianceOut, remodulateSignal(material.signals[s], value, surface));
   }
   radianceOut = clamp3(radianceOut, 0.0f, QUELL_MAX_RADIANCE);

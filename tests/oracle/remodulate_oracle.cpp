@@ -4,6 +4,8 @@
 
 #include "kernels/accumulate_noisy_params.h"
 #include "tests/oracle/display_encoding_oracle.hpp"
+#include "tests/oracle/edge_stops_oracle.hpp"
+#include "tests/oracle/light_gain_oracle.hpp"
 
 namespace quell::tests {
 namespace {
@@ -29,9 +31,12 @@ Remodulated remodulate(const Material& material, bool surface, const Vector3d& f
           material.tint.maxCoeff() * std::max(material.signal.maxCoeff(), product.maxCoeff())};
 }
 
-Vector3d filteredAt(const Planes& filtered, int x, int y, int signal) {
-  return {filtered.at(3 * signal, x, y), filtered.at(3 * signal + 1, x, y),
-          filtered.at(3 * signal + 2, x, y)};
+Vector3d filteredAt(const RemodulateInputs& inputs, int x, int y, int signal) {
+  const auto channel = [&](int c) { return double(inputs.filtered.at(3 * signal + c, x, y)); };
+  const Vector3d filtered(channel(0), channel(1), channel(2));
+  if (inputs.lightGain.count == 0) return filtered;
+  const double gain = betweenTiles(inputs.lightGain, TileGrid(inputs.filtered.size()), signal, x, y);
+  return lightRatio(gain, luminanceOf(filtered[0], filtered[1], filtered[2])) * filtered;
 }
 
 }  // namespace
@@ -45,7 +50,7 @@ RemodulateExact remodulateOracle(const RemodulateInputs& inputs) {
     Vector3d sum = Vector3d::Zero();
     for (int signal = 0; signal < inputs.material.signals(); ++signal) {
       const Material material = materialAt(inputs.material, x, y, signal);
-      const Remodulated result = remodulate(material, surface, filteredAt(inputs.filtered, x, y, signal));
+      const Remodulated result = remodulate(material, surface, filteredAt(inputs, x, y, signal));
       sum += material.emission + result.light;
       double& magnitude = exact.magnitude.at(0, x, y);
       magnitude = std::max({magnitude, result.magnitude, material.emission.cwiseAbs().maxCoeff()});
