@@ -17,9 +17,9 @@
 //          cumulative mean first, an exponential one later.
 // Departures: history is double-buffered (the reference reads and overwrites it in one kernel); a NaN or Inf in
 //          radiance or emission is a missing sample: the pixel keeps its history, or becomes a hole that the filter
-//          fills; one in position or normal makes it pass through; positions are
-//          relative to the camera; see common/reprojection.h, common/motion_images.h and common/demodulation.h for
-//          the rest.
+//          fills; one in position or normal makes it pass through, as emitters do (the weight 0); positions are
+//          relative to the camera; see common/reprojection.h, common/motion_images.h, common/demodulation.h and
+//          common/emitters.h for the rest.
 #include "accumulate_noisy_ports.h"
 #include "common/f_beta_images.h"
 #include "common/filter_input.h"
@@ -114,6 +114,13 @@ QUELL_INLINE floatL mixLanes(floatL history, floatL newest, floatL weight) {
 }
 #endif
 
+#if INNOVATION
+// A difference of a sample from its history, without rounding.
+QUELL_INLINE floatL innovationOf(floatL difference, floatL least, intL comparable) {
+  return comparable && absLanes(difference) > least ? difference : ZERO_LANES;
+}
+#endif
+
 // Blends a sample into its history (whose length is 0 where there is none), stores both, and returns the pixel's weight
 // as a filter tap. The pointers are those of the signal, moved to the pixel.
 QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL mostFrames,
@@ -121,7 +128,7 @@ QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL
                                  __global float* moments, __global uchar* length,
                                  __global float* newestIrradiance, __global float* innovation) {
   const int stride = params.planes.stride;
-  const intL hasHistory = history.weight > 0.0f;
+  const intL hasHistory = history.weight > 0.0f && !sample.bare;
   const intL frames = minLanesInt(floorLanes(history.length + 0.5f), mostFrames - 1);
   const intL lengthPrev = wholeLength(turn, frames);
   const floatL cumulative = 1.0f / (effectiveLength(turn, frames) + 1.0f);
@@ -134,8 +141,11 @@ QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL
   storeLanes3(select3(sample.present, sample.irradiance, splat3(-1.0f)), newestIrradiance, 0, stride);
   const intL comparable = sample.present && hasHistory;
   const float3L step = subtract3(sample.irradiance, history.irradiance);
-  storeLanes(comparable ? luminance(step) : ZERO_LANES, innovation + QUELL_INNOVATION_LUMINANCE * stride);
-  storeLanes(comparable ? step.x - step.z : ZERO_LANES, innovation + QUELL_INNOVATION_CHROMINANCE * stride);
+  const floatL least = QUELL_LEAST_INNOVATION * luminance(sample.irradiance);
+  storeLanes(innovationOf(luminance(step), least, comparable),
+             innovation + QUELL_INNOVATION_LUMINANCE * stride);
+  storeLanes(innovationOf(step.x - step.z, least, comparable),
+             innovation + QUELL_INNOVATION_CHROMINANCE * stride);
 #endif
 #if MOMENTS
   const floatL newest = luminance(sample.irradiance);
@@ -146,8 +156,8 @@ QUELL_INLINE floatL storeBlended(History history, Turn turn, Sample sample, intL
   storeLanes(sample.present || hasHistory ? first : ZERO_LANES, moments + QUELL_MOMENT_FIRST * stride);
   storeLanes(sample.present || hasHistory ? second : ZERO_LANES, moments + QUELL_MOMENT_SECOND * stride);
 #endif
-  storeByteLanes(lengthPrev + (sample.present ? (intL)(1) : (intL)(0)), length);
-  return (sample.present || hasHistory) ? (sample.present ? sample.weight : ONE_LANES) : ZERO_LANES;
+  storeByteLanes((hasHistory ? lengthPrev : (intL)(0)) + (sample.present ? (intL)(1) : (intL)(0)), length);
+  return sample.present || hasHistory ? ONE_LANES : ZERO_LANES;
 }
 
 #if SKIP
@@ -197,11 +207,13 @@ __kernel void accumulate_noisy(STAGE_ARGUMENTS(ACCUMULATE_NOISY) AccumulateNoisy
     return;
   }
 #endif
-  const Surface surface = loadSurface(images, params.reprojection, x, y, lanes);
+  Surface surface = loadSurface(images, params.reprojection, x, y, lanes);
   const float3L fBetaHere =
       loadFBeta(images, fBetaTable, params.reprojection, surface.position, surface.normal, x, y, lanes);
   keepFBeta(fBetaHere, fBeta, index, stride);
   const Material material = loadMaterial(images, fBetaHere, x, y, lanes);
+  surface.normal = filteredNormal(surface.normal, material.signals[0], surface.valid);
+  const intL emits = findEmitters(images, planes, material.signals[0], x, y);
 
   floatL xPrev, yPrev;
   const intL inside = findPrevious(images, params.reprojection, planes, surface, x, y, lanes, &xPrev, &yPrev);
@@ -233,11 +245,12 @@ __kernel void accumulate_noisy(STAGE_ARGUMENTS(ACCUMULATE_NOISY) AccumulateNoisy
   const intL mostFrames = still ? (intL)(params.mostFramesStill) : (intL)(params.mostFrames);
   UNROLL_ON_GPU
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    const Sample sample =
+        makeSample(material.signals[s], s == 0 ? emits : (intL)(0), history[s].weight > 0.0f, surface.valid);
     const floatL weight = storeBlended(
-        normaliseHistory(history[s]), turn, makeSample(material.signals[s], surface.valid), mostFrames,
-        params, irradiance + 3 * s * stride + index, moments + QUELL_MOMENT_PLANES * s * stride + index,
-        historyLength + s * stride + index, newestIrradiance + 3 * s * stride + index,
-        innovation + QUELL_INNOVATION_PLANES * s * stride + index);
+        normaliseHistory(history[s]), turn, sample, mostFrames, params, irradiance + 3 * s * stride + index,
+        moments + QUELL_MOMENT_PLANES * s * stride + index, historyLength + s * stride + index,
+        newestIrradiance + 3 * s * stride + index, innovation + QUELL_INNOVATION_PLANES * s * stride + index);
     storeLanes(weight, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
     storeByteLanes(mask[s] | (wanted && !met ? (intL)(QUELL_HISTORY_REJECTED) : (intL)(0)),
                    reprojectionMask + s * stride + index);

@@ -22,7 +22,7 @@
   IMAGE(objectId, OBJECTID, SURFACES, ALWAYS)                                                                                               \
   PORT(irradiancePrev,    PREVIOUS, FLOAT, 3 * QUELL_SIGNALS,                       SURFACES * HISTORIES,                           ALWAYS)          \
   PORT(historyLengthPrev, PREVIOUS, UCHAR, QUELL_SIGNALS,                           SURFACES * HISTORIES,                           ALWAYS)          \
-  PORT(guidesPrev,        PREVIOUS, FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS),    SURFACES * HISTORIES * PLANES((HAS(motion) && HAS(objectId) ? 3 : 6) + QUELL_SIGNALS), ALWAYS)\
+  PORT(guidesPrev,        PREVIOUS, FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS),    SURFACES * HISTORIES,                           ALWAYS)          \
   PORT(momentsPrev,       PREVIOUS, FLOAT, QUELL_MOMENT_PLANES * QUELL_SIGNALS,     SURFACES * HISTORIES,                           MOMENTS)         \
   PORT(objectIdsPrev,     PREVIOUS, INT,   1,                                       SURFACES * HISTORIES,                           HAS(objectId))   \
   PORT(irradiance,        WRITE,    FLOAT, 3 * QUELL_SIGNALS,                       SURFACES,                              ALWAYS)          \

@@ -46,8 +46,9 @@ QUELL_NAMESPACE_END
 #define QUELL_RECENT_CHANGE_NONE 1.4f
 #define QUELL_RECENT_CHANGE_SURE 2.4f
 
-// Least spread of the differences, luminance squared: where all are equal there is no noise to compare with.
-#define QUELL_CHANGE_LEAST_SPREAD 1e-12f
+// Least spread of the differences, luminance squared: where all are equal there is no noise to compare with. Far below the
+// noise of a scene a millionth as bright as is usual, and so large that the quotient of any difference is finite.
+#define QUELL_CHANGE_LEAST_SPREAD 1e-20f
 
 // Least spread of chrominance as a share of the spread of luminance: the chrominance of grey light is rounding.
 #define QUELL_CHANGE_LEAST_CHROMINANCE 1e-4f

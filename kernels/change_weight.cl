@@ -81,7 +81,8 @@ QUELL_INLINE float weightOf(float significance, float recentChange, ChangeParams
   const float threshold =
       params.thresholdSquared + changing * (params.recentChangeThresholdSquared - params.thresholdSquared);
   const float excess = max(significance - threshold, 0.0f);
-  // A difference of the largest radiance over a spread of nothing is still finite: 65504^2 / 1e-12 times the pixels.
+  // A difference of the largest irradiance over a spread of nothing is still finite: (65504 / 0.01)^2 / 1e-20 times the
+  // pixels of a window.
   return params.mostWeight * (excess / (excess + params.gain));
 }
 

@@ -21,17 +21,19 @@ __kernel void demodulate(STAGE_ARGUMENTS(DEMODULATE) DemodulateParams params) {
     return;
   }
 #endif
-  const Surface surface = loadSurface(images, params.reprojection, x, y, lanes);
+  Surface surface = loadSurface(images, params.reprojection, x, y, lanes);
   const float3L fBetaHere =
       loadFBeta(images, fBetaTable, params.reprojection, surface.position, surface.normal, x, y, lanes);
   keepFBeta(fBetaHere, fBeta, index, stride);
   const Material material = loadMaterial(images, fBetaHere, x, y, lanes);
+  surface.normal = filteredNormal(surface.normal, material.signals[0], surface.valid);
+  const intL emits = findEmitters(images, planes, material.signals[0], x, y);
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    const Sample sample = makeSample(material.signals[s], surface.valid);
+    const Sample sample =
+        makeSample(material.signals[s], s == 0 ? emits : (intL)(0), (intL)(0), surface.valid);
     storeLanes3(select3(sample.present, sample.irradiance, splat3(0.0f)), irradiance + 3 * s * stride, index,
                 stride);
-    storeLanes(sample.present ? sample.weight : ZERO_LANES,
-               guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
+    storeLanes(sample.present ? ONE_LANES : ZERO_LANES, guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
   }
   storeLanes3(surface.position, guides + QUELL_GUIDE_POSITION * stride, index, stride);
   storeLanes3(surface.normal, guides + QUELL_GUIDE_NORMAL * stride, index, stride);

@@ -1,15 +1,14 @@
-// remodulate: filtered irradiance back to radiance, per signal k * factor * filtered + (1 - k) * signal, plus emission;
-//             and its display encoding.
-// Paper:   Koskela et al. 2019, post-processing: albedo, removed before phase I, is multiplied back. The blend k is
-//          described in common/demodulation.h. Display encoding: reference implementation (the paper leaves the tone
-//          map to the renderer).
+// remodulate: filtered irradiance back to radiance, per signal divisor * filtered, plus emission; and its display encoding.
+// Paper:   Koskela et al. 2019, post-processing: albedo, removed before phase I, is multiplied back. What the divisor is
+//          stands in common/demodulation.h. Display encoding: reference implementation (the paper leaves the tone map to
+//          the renderer).
 // In:      filtered irradiance (3 planes per signal), guides, the caller's radiance (or diffuse and glossy radiance),
 //          emission, albedo and gloss colour; F_beta (3 planes) where light was divided by it; with KEEP_LIGHT gains
 //          (1 float per tile and signal, see light_gain.cl), interpolated between the centres of tiles.
 // Out:     linear radiance, finite, in [0, 65504]: as 3 planes for temporal_antialiasing, which then writes the display
 //          image, and with ANTIALIAS_LINEAR the linear one, or in the caller's layout; without it encoded for display, in
 //          [0, 1], as well; of each what the caller wants.
-//          Background and broken surfaces pass the signal through; a missing sample there is black.
+//          Background, broken surfaces and emitters pass the signal through; a missing sample there is black.
 #include "common/display_encoding.h"
 #include "common/guides.h"
 #include "common/luminance.h"
@@ -20,10 +19,6 @@
 #include "light_params.h"
 #include "remodulate_ports.h"
 
-QUELL_INLINE floatL blendChannel(floatL share, floatL factor, floatL filtered, floatL signal) {
-  return share * (factor * filtered) + (1.0f - share) * signal;
-}
-
 #if KEEP_LIGHT
 QUELL_INLINE float3L giveLightBack(float3L filtered, floatL gain) {
   const floatL ratio = 1.0f + gain * luminance(filtered);
@@ -31,13 +26,16 @@ QUELL_INLINE float3L giveLightBack(float3L filtered, floatL gain) {
 }
 #endif
 
-// Radiance of one signal; its filtered value counts only on surfaces.
-QUELL_INLINE float3L remodulateSignal(Signal signal, float3L filtered, intL surface) {
-  const float3L share = select3(surface, filteredShare3(signal.factor), splat3(0.0f));
-  float3L radiance;
-  radiance.x = blendChannel(share.x, signal.factor.x, filtered.x, signal.value.x);
-  radiance.y = blendChannel(share.y, signal.factor.y, filtered.y, signal.value.y);
-  radiance.z = blendChannel(share.z, signal.factor.z, filtered.z, signal.value.z);
+// Radiance of one signal; its filtered value counts only where it was `filtered`. Of two signals weak channels pass through.
+QUELL_INLINE float3L remodulateSignal(Signal signal, float3L value, intL filtered) {
+  const float3L product = multiply3(signal.divisor, value);
+  float3L radiance = select3(filtered, product, signal.value);
+#if QUELL_SIGNALS == 2
+  const intL some = signal.weak != QUELL_ALL_WEAK;
+  radiance.x = some && (signal.weak & QUELL_WEAK_X) != 0 ? signal.value.x : radiance.x;
+  radiance.y = some && (signal.weak & QUELL_WEAK_Y) != 0 ? signal.value.y : radiance.y;
+  radiance.z = some && (signal.weak & QUELL_WEAK_Z) != 0 ? signal.value.z : radiance.z;
+#endif
   return multiply3(signal.tint, radiance);
 }
 
@@ -55,11 +53,15 @@ __kernel void remodulate(STAGE_ARGUMENTS(REMODULATE) RemodulateParams params) {
   const TileMix mix = mixTiles(params.tilesX, params.tilesY, x, y);
 #endif
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
+    const Signal signal = material.signals[s];
     float3L value = loadLanes3(filtered + 3 * s * stride, index, stride);
 #if KEEP_LIGHT
     value = giveLightBack(value, mixedValue(lightGain + s * params.tilesX * params.tilesY, mix));
 #endif
-    radianceOut = add3(radianceOut, remodulateSignal(material.signals[s], value, surface));
+    // A sample that is there and has no weight is an emitter's or of a lobe that is not there.
+    const intL counts =
+        loadLanes(guides + (QUELL_GUIDE_WEIGHT + s) * stride + index) > 0.0f || !signal.finite;
+    radianceOut = add3(radianceOut, remodulateSignal(signal, value, surface && counts));
   }
   radianceOut = clamp3(radianceOut, 0.0f, QUELL_MAX_RADIANCE);
 #if LINEAR_FORMAT && !ANTIALIAS_LINEAR

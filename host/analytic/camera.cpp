@@ -35,7 +35,7 @@ RoomCamera::RoomCamera(double timeFrames, int width, int height)
                -std::sin(kDownwardRad)};
 }
 
-Ray RoomCamera::rayThrough(int x, int y) const {
+Ray RoomCamera::rayThrough(double x, double y) const {
   const glm::dvec3 right = glm::normalize(glm::cross(m_forward, kUp));
   const glm::dvec3 up = glm::cross(right, m_forward);
   const double pixelSize = 2.0 * std::tan(0.5 * kFieldOfViewRad) / m_height;  // on the plane 1 m ahead

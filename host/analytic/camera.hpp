@@ -14,8 +14,8 @@ class RoomCamera {
   /// The camera at a time on its path, in frames (any value); width and height in pixels, >= 1.
   RoomCamera(double timeFrames, int width, int height);
 
-  /// The ray through the centre of pixel (x, y), (0, 0) at the top left.
-  Ray rayThrough(int x, int y) const;
+  /// The ray through a place in the image, pixels; (0, 0) is the centre of the pixel at the top left.
+  Ray rayThrough(double x, double y) const;
 
   /// World to clip as quell::Camera wants it, for a world moved by `worldOffset` (m).
   Matrix4 worldToClip(const glm::dvec3& worldOffset) const;

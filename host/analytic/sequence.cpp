@@ -15,6 +15,7 @@
 #include "host/analytic/camera.hpp"
 #include "host/analytic/light.hpp"
 #include "host/analytic/material.hpp"
+#include "host/io/halton.hpp"
 
 namespace quell::io {
 namespace {
@@ -31,6 +32,7 @@ constexpr int kMaxReferenceSamples = 1 << 20;
 constexpr std::uint32_t kNoisyStream = 0;
 constexpr std::uint32_t kReferenceStreamA = 1;
 constexpr std::uint32_t kReferenceStreamB = 2;
+constexpr std::uint32_t kAntialiasedStreams = 2;  // added to them
 
 void requireInRange(const char* option, long long value, long long low, long long high) {
   if (value >= low && value <= high) return;
@@ -87,7 +89,9 @@ class AnalyticSequence final : public FrameSequence {
   int height() const override { return m_options.height; }
   std::vector<int> frames() const override;
   FrameData read(int frame) const override;
-  std::optional<Reference> reference(int frame) const override;
+  bool jittered() const override { return m_options.jitter; }
+  bool hasReference(int frame, ReferenceKind kind) const override;
+  Reference reference(int frame, ReferenceKind kind) const override;
 
  private:
   void requireFrame(const char* function, int frame) const;
@@ -97,8 +101,10 @@ class AnalyticSequence final : public FrameSequence {
   Image blankImage() const { return Image(m_options.width, m_options.height, 3); }
   Random randomFor(std::uint32_t stream, int frame, int x, int y, int sample) const;
   void renderPixel(const RoomCamera& camera, int x, int y, FrameData& data) const;
-  Image renderReference(int frame, std::uint32_t stream) const;
-  glm::dvec3 referencePixel(const RoomCamera& camera, int frame, std::uint32_t stream, int x, int y) const;
+  std::array<double, 2> jitterOf(int frame) const;
+  Image renderReference(int frame, ReferenceKind kind, std::uint32_t stream) const;
+  glm::dvec3 centrePixel(const RoomCamera& camera, int frame, std::uint32_t stream, int x, int y) const;
+  glm::dvec3 antialiasedPixel(const RoomCamera& camera, int frame, std::uint32_t stream, int x, int y) const;
 
   AnalyticOptions m_options;
 };
@@ -140,8 +146,12 @@ Random AnalyticSequence::randomFor(std::uint32_t stream, int frame, int x, int y
   return {m_options.seed, stream, std::uint32_t(frame), pixel, std::uint32_t(sample)};
 }
 
+std::array<double, 2> AnalyticSequence::jitterOf(int frame) const {
+  return m_options.jitter ? jitterPxOf(frame) : std::array<double, 2>{0.0, 0.0};
+}
+
 void AnalyticSequence::renderPixel(const RoomCamera& camera, int x, int y, FrameData& data) const {
-  const Ray ray = camera.rayThrough(x, y);
+  const Ray ray = camera.rayThrough(x + data.camera.jitterPx[0], y + data.camera.jitterPx[1]);
   const auto hit = hitThrough(ray, y);
   if (!hit) {  // the other images are zero already
     store(data.emission, x, y, skyRadiance(ray.direction));
@@ -166,6 +176,7 @@ FrameData AnalyticSequence::read(int frame) const {
   data.number = frame;
   data.camera.worldToClip = camera.worldToClip(offset());
   data.camera.worldToClipPrev = cameraAt(frame - 1).worldToClip(offset());
+  data.camera.jitterPx = jitterOf(frame);
   for (Image* image :
        {&data.radiance, &data.normalWorld, &data.positionWorld, &data.albedo, &data.emission}) {
     *image = blankImage();
@@ -176,8 +187,8 @@ FrameData AnalyticSequence::read(int frame) const {
   return data;
 }
 
-glm::dvec3 AnalyticSequence::referencePixel(const RoomCamera& camera, int frame, std::uint32_t stream, int x,
-                                            int y) const {
+glm::dvec3 AnalyticSequence::centrePixel(const RoomCamera& camera, int frame, std::uint32_t stream, int x,
+                                         int y) const {
   const Ray ray = camera.rayThrough(x, y);
   const auto hit = hitThrough(ray, y);
   if (!hit) return skyRadiance(ray.direction);
@@ -190,21 +201,44 @@ glm::dvec3 AnalyticSequence::referencePixel(const RoomCamera& camera, int frame,
   return albedoAt(*hit) * sum / double(m_options.referenceSamples) + emissionAt(*hit);
 }
 
-Image AnalyticSequence::renderReference(int frame, std::uint32_t stream) const {
+glm::dvec3 AnalyticSequence::antialiasedPixel(const RoomCamera& camera, int frame, std::uint32_t stream,
+                                              int x, int y) const {
+  glm::dvec3 sum(0.0);
+  for (int sample = 0; sample < m_options.referenceSamples; ++sample) {
+    Random random = randomFor(stream, frame, x, y, sample);
+    const double column = x + random.uniform() - 0.5, row = y + random.uniform() - 0.5;
+    const Ray ray = camera.rayThrough(column, row);
+    const auto hit = hitThrough(ray, y);
+    if (!hit) {
+      sum += skyRadiance(ray.direction);
+      continue;
+    }
+    const glm::dvec3 normal = shadingNormalAt(*hit, ray.direction);
+    sum += albedoAt(*hit) * sampleIrradiance(*hit, normal, random) + emissionAt(*hit);
+  }
+  return sum / double(m_options.referenceSamples);
+}
+
+Image AnalyticSequence::renderReference(int frame, ReferenceKind kind, std::uint32_t stream) const {
   const RoomCamera camera = cameraAt(frame);
   Image image = blankImage();
+  const auto pixel =
+      kind == ReferenceKind::Centre ? &AnalyticSequence::centrePixel : &AnalyticSequence::antialiasedPixel;
+  if (kind == ReferenceKind::Antialiased) stream += kAntialiasedStreams;
   forEachRow(m_options.height, m_options.threadCount, [&](int y) {
-    for (int x = 0; x < m_options.width; ++x) {
-      store(image, x, y, referencePixel(camera, frame, stream, x, y));
-    }
+    for (int x = 0; x < m_options.width; ++x) store(image, x, y, (this->*pixel)(camera, frame, stream, x, y));
   });
   return image;
 }
 
-std::optional<Reference> AnalyticSequence::reference(int frame) const {
-  requireFrame("reference", frame);
-  if (m_options.referenceSamples == 0) return std::nullopt;
-  return Reference{renderReference(frame, kReferenceStreamA), renderReference(frame, kReferenceStreamB)};
+bool AnalyticSequence::hasReference(int frame, ReferenceKind /*kind*/) const {
+  return m_options.referenceSamples > 0 && frame >= 0 && frame < m_options.frameCount;
+}
+
+Reference AnalyticSequence::reference(int frame, ReferenceKind kind) const {
+  requireReference(*this, frame, kind);
+  return {renderReference(frame, kind, kReferenceStreamA), renderReference(frame, kind, kReferenceStreamB),
+          kind};
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ struct AnalyticOptions {
   double skyShare = 0.0;     ///< in [0, 1]; this share of the rows, from the top, shows sky whatever is there
   std::array<double, 3> worldOffset{0.0, 0.0, 0.0};  ///< m, finite; moves scene and camera together
   int referenceSamples = 0;                          ///< per pixel and half, in [0, 2^20]; 0: no reference
+  bool jitter = false;  ///< rays of frames leave the pixel centres, by io::jitterPxOf()
   int threadCount = 0;  ///< in [0, 1024]; 0: one per core. Never changes the pixels.
 };
 
@@ -27,7 +28,8 @@ struct AnalyticOptions {
 /// rounding of floating point); frames may be read in any order.
 ///
 /// Every frame has radiance, normal, position, albedo and emission; gloss colour stays empty. Rays go through
-/// pixel centres (no jitter). radiance = albedo * irradiance / pi + emission, albedo in [0, 1). The lamp and
+/// pixel centres, unless they are jittered. References are of both kinds, the antialiased one with a place of its own
+/// inside the pixel for every sample. radiance = albedo * irradiance / pi + emission, albedo in [0, 1). The lamp and
 /// the background have albedo zero and radiance = emission; the background (sky and sea) also has normal and
 /// position zero. Positions are rounded to float after the offset is added.
 /// The camera swings smoothly: at frame 0, where it is fastest, the image moves by about 3 (far side) to 8

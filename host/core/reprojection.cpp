@@ -109,7 +109,8 @@ void setViewRays(ReprojectionParams& params, const Camera& camera, Size size) {
 
 void checkJitter(const Camera& camera) {
   for (const double component : camera.jitterPx)
-    if (!(std::abs(component) <= kMaxJitterPx)) refuse("jitterPx", "pixels in [-1, 1]", std::to_string(component));
+    if (!(std::abs(component) <= kMaxJitterPx))
+      refuse("jitterPx", "pixels in [-1, 1]", std::to_string(component));
 }
 
 }  // namespace

@@ -30,6 +30,8 @@ FrameFileName filesOf(const std::string& stem) {
   return [stem](int frame) { return fmt::format("{}{}.exr", stem, frame); };
 }
 
+FrameFileName referenceFiles() { return filesOf("reference"); }
+
 /// From m[column][row] with y down to row-major with y up.
 Matrix4 toQuellConvention(const double* published) {
   Matrix4 matrix{};
@@ -120,11 +122,19 @@ FrameData BmfrSequence::read(int frame) const {
   return data;
 }
 
-std::optional<Reference> BmfrSequence::reference(int frame) const {
-  requireFrame(m_directory, m_frames, frame);
-  const std::string file = filesOf("reference")(frame);
-  if (!hasFile(m_directory, file)) return std::nullopt;
-  return Reference{readLettersOfSize(joinPath(m_directory, file), "RGB", m_width, m_height), {}};
+std::string BmfrSequence::fileOf(int frame, const ImageFiles& files) const {
+  return joinPath(m_directory, filesOf(files.stem)(frame));
+}
+
+bool BmfrSequence::hasReference(int frame, ReferenceKind kind) const {
+  const ReferenceKind published = jittered() ? ReferenceKind::Antialiased : ReferenceKind::Centre;
+  return kind == published && hasFile(m_directory, referenceFiles()(frame));
+}
+
+Reference BmfrSequence::reference(int frame, ReferenceKind kind) const {
+  requireReference(*this, frame, kind);
+  return {
+      readLettersOfSize(joinPath(m_directory, referenceFiles()(frame)), "RGB", m_width, m_height), {}, kind};
 }
 
 }  // namespace quell::io

@@ -2,7 +2,8 @@
 // Real-Time Path-Tracing Reconstruction" (BMFR).
 //
 // Per frame n (numbers unpadded, without gaps): color<n>.exr, shading_normal<n>.exr, world_position<n>.exr,
-// albedo<n>.exr, three channels each; optionally reference<n>.exr. The colour has albedo divided out already,
+// albedo<n>.exr, three channels each; optionally reference<n>.exr, of rays that went where those of the noisy frames did:
+// antialiased where they are jittered. The colour has albedo divided out already,
 // so FrameData::demodulated is true. camera_matrices.h is a C header with camera_matrices[N][4][4],
 // pixel_offsets[N][2] and, optionally, the two limits position_limit_squared and normal_limit_squared.
 //
@@ -38,7 +39,9 @@ class BmfrSequence final : public FrameSequence {
   /// Throws Error(InvalidArgument) for a frame that is not there or an image whose size differs from the
   /// first frame's, Error(FileError) for an unreadable file.
   FrameData read(int frame) const override;
-  std::optional<Reference> reference(int frame) const override;
+  std::string fileOf(int frame, const ImageFiles& files) const override;
+  bool hasReference(int frame, ReferenceKind kind) const override;
+  Reference reference(int frame, ReferenceKind kind) const override;
   bool jittered() const override;
   std::optional<HistoryLimits> historyLimits() const override { return m_limits; }
 

@@ -80,6 +80,7 @@ CyclesSequence::CyclesSequence(std::string directory, int signals)
   }
 
   const ExrHeader first = readExrHeader(joinPath(m_directory, filesOf(kColor.stem)(m_frames.front())));
+  m_hasAlpha = std::count(first.channels.begin(), first.channels.end(), "A") > 0;
   m_width = first.width;
   m_height = first.height;
 }
@@ -96,7 +97,12 @@ FrameData CyclesSequence::read(int frame) const {
   data.demodulated = m_demodulated;
   for (const ImageSource& source : m_sources)
     data.*source.image = readImage(source.files.stem, source.files.channels, frame);
+  if (m_hasAlpha) data.alpha = readImage(kColor.stem, "A", frame);
   return data;
+}
+
+std::string CyclesSequence::fileOf(int frame, const ImageFiles& files) const {
+  return joinPath(m_directory, filesOf(files.stem)(frame));
 }
 
 bool CyclesSequence::jittered() const {
@@ -104,14 +110,16 @@ bool CyclesSequence::jittered() const {
                      [this](int frame) { return isJittered(m_cameras.at(frame)); });
 }
 
-std::optional<Reference> CyclesSequence::reference(int frame) const {
-  requireFrame(m_directory, m_frames, frame);
-  const auto readHalf = [&](char half) {
-    const std::string stem = fmt::format("ref_{}_{}", half, kColor.stem);
-    return hasFile(m_directory, filesOf(stem)(frame)) ? readImage(stem, kColor.channels, frame) : Image();
-  };
-  Reference reference{readHalf('a'), readHalf('b')};
-  if (reference.a.empty()) return std::nullopt;
+bool CyclesSequence::hasReference(int frame, ReferenceKind kind) const {
+  return hasFile(m_directory, filesOf(referenceStem(kind, 'a', kColor.stem))(frame));
+}
+
+Reference CyclesSequence::reference(int frame, ReferenceKind kind) const {
+  requireReference(*this, frame, kind);
+  const auto stem = [kind](char half) { return referenceStem(kind, half, kColor.stem); };
+  Reference reference{readImage(stem('a'), kColor.channels, frame), {}, kind};
+  if (hasFile(m_directory, filesOf(stem('b'))(frame)))
+    reference.b = readImage(stem('b'), kColor.channels, frame);
   return reference;
 }
 

@@ -2,10 +2,10 @@
 //
 // For each frame NNNN (at least four digits, numbers without gaps): color_NNNN.exr, shading_normal_NNNN.exr and
 // world_position_NNNN.exr; for all frames or none the other images of the contract, under the names and with the
-// channels that quell/frame_images.h says; for two signals diffuse_irradiance_NNNN.exr and glossy_radiance_NNNN.exr,
+// channels that quell/frame_images.h says, and A beside the colour; for two signals diffuse_irradiance_NNNN.exr and glossy_radiance_NNNN.exr,
 // light before albedo and gloss colour;
-// for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference. Other files are
-// ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
+// for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference through pixel centres, and
+// ref_aa_a_color_NNNN.exr and ref_aa_b_color_NNNN.exr, those of the antialiased one. Other files are ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
 // ...]}, in the convention of quell::Camera: row-major, column vectors, NDC y up, without jitter. A frame's entry may have
 // "jitter_px": [x, y], too, where the primary rays left the pixel centres; without it they went through them.
 #pragma once
@@ -42,7 +42,9 @@ class CyclesSequence final : public FrameSequence {
   /// Throws Error(InvalidArgument) for a frame that is not there or an image whose size differs from the
   /// first frame's, Error(FileError) for an unreadable file.
   FrameData read(int frame) const override;
-  std::optional<Reference> reference(int frame) const override;
+  std::string fileOf(int frame, const ImageFiles& files) const override;
+  bool hasReference(int frame, ReferenceKind kind) const override;
+  Reference reference(int frame, ReferenceKind kind) const override;
   bool jittered() const override;
 
  private:
@@ -54,6 +56,7 @@ class CyclesSequence final : public FrameSequence {
   int m_width = 0;
   int m_height = 0;
   bool m_demodulated = false;
+  bool m_hasAlpha = false;             ///< channel A beside the colour
   std::vector<ImageSource> m_sources;  ///< of the images that the directory has
 };
 

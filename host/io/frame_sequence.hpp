@@ -9,8 +9,20 @@
 
 #include "host/core/image_schema.hpp"
 #include "host/io/image.hpp"
+#include "host/io/reference.hpp"
 
 namespace quell::io {
+
+/// What a user should know about a frame that can be denoised all the same.
+struct FrameWarning {
+  /// Of each kind a sequence's first is worth telling.
+  enum class Kind { Camera, MissingNormals, PackedNormals, FrozenNoise };
+  Kind kind;
+  std::string file;
+  std::string expected;
+  std::string got;
+  std::string remedy;  ///< what is done about it, and what would cure it
+};
 
 /// One frame in host memory. Images share one size; an absent optional one is empty.
 struct FrameData {
@@ -21,6 +33,9 @@ struct FrameData {
   QUELL_FRAME_IMAGES(QUELL_IMAGE)
 #undef QUELL_IMAGE
   Image combined;  ///< 3 channels, linear radiance as a whole; only where two signals were asked for
+  Image alpha;     ///< 1 channel, of the file of the light as a whole; empty where it has none
+  std::vector<FrameWarning> warnings;
+  bool repeatsNoise = false;  ///< noise and view are those of the frame before: history is no further sample
   /// True where light is already divided by albedo and gloss colour (two signals, and the layout published with
   /// the BMFR paper).
   bool demodulated = false;
@@ -29,13 +44,6 @@ struct FrameData {
   const Image& noisy() const { return combined.empty() ? radiance : combined; }
   /// True if the denoised frame may be compared with a reference picture.
   bool comparable() const { return !demodulated || !combined.empty(); }
-};
-
-/// Two independent converged renderings of one frame (linear, 3 channels). Their mean is the reference.
-/// With one half only, `b` is empty.
-struct Reference {
-  Image a;
-  Image b;
 };
 
 /// How far apart a surface point and the history sample found for it may be, as published with a data set.
@@ -54,9 +62,13 @@ class FrameSequence {
   virtual int height() const = 0;               ///< pixels, >= 1
   virtual std::vector<int> frames() const = 0;  ///< frame numbers present, ascending, without gaps
   virtual FrameData read(int frame) const = 0;  ///< throws Error(FileError | InvalidArgument)
+  /// The file that an image of a frame comes from, for messages.
+  virtual std::string fileOf(int /*frame*/, const ImageFiles& /*files*/) const { return name(); }
 
-  /// The converged rendering of a frame; nothing where the sequence has none for it.
-  virtual std::optional<Reference> reference(int frame) const = 0;
+  /// Whether there is a converged rendering of this kind; false for a frame that is not there. Reads no pixels.
+  virtual bool hasReference(int frame, ReferenceKind kind) const = 0;
+  /// That rendering. Throws Error(InvalidArgument) where there is none, Error(FileError) where it cannot be read.
+  virtual Reference reference(int frame, ReferenceKind kind) const = 0;
 
   /// Whether the primary rays of some frame leave the centres of their pixels, as far as the files say.
   virtual bool jittered() const { return false; }

@@ -1,20 +1,18 @@
 #include "host/io/multilayer_camera.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <cstddef>
+#include <vector>
 
 namespace quell::io {
 namespace {
 
-constexpr int kUnknowns = 4;  // of a row: three for the position, one constant
-constexpr int kRows = 3;      // clip x, y and w
-/// Share of the scene's variance across a plane below which it is one plane: rounding of half floats.
-constexpr double kFlatShare = 1e-5;
-/// Largest root mean square distance of projected positions from their pixels.
-constexpr double kFitPx = 2.0;
-
 using Vector3 = std::array<double, 3>;
+
+/// More samples than this make a camera no better.
+constexpr int kMostSamples = 1 << 18;
 
 bool isSurface(const Image& depth, int x, int y) {
   const float d = depth.at(x, y, 0);
@@ -28,122 +26,57 @@ Vector3 positionAt(const Image& image, int x, int y) {
 double ndcX(const Image& image, int x) { return (2.0 * x + 1.0) / image.width - 1.0; }
 double ndcY(const Image& image, int y) { return 1.0 - (2.0 * y + 1.0) / image.height; }
 
-template <class Work>
-void forEachSurface(const Image& position, const Image& depth, const Work& work) {
-  for (int y = 0; y < depth.height; ++y)
-    for (int x = 0; x < depth.width; ++x)
-      if (isSurface(depth, x, y)) work(x, y, positionAt(position, x, y), double(depth.at(x, y, 0)));
-}
+bool isFinite(const Vector3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
-/// Centre and extent of the positions: the fit is done in these units.
-struct Scale {
-  Vector3 centre{};
-  double size = 0.0;
-};
-
-Scale scaleOf(const Image& position, const Image& depth) {
-  Scale scale;
-  double count = 0.0, squares = 0.0;
-  forEachSurface(position, depth, [&](int, int, const Vector3& p, double) {
-    for (std::size_t i = 0; i < 3; ++i) scale.centre[i] += p[i];
-    count += 1.0;
-  });
-  for (double& component : scale.centre) component /= count;
-  forEachSurface(position, depth, [&](int, int, const Vector3& p, double) {
-    for (std::size_t i = 0; i < 3; ++i) squares += std::pow(p[i] - scale.centre[i], 2.0);
-  });
-  scale.size = std::sqrt(squares / count);
-  return scale;
-}
-
-/// Normal equations of the three rows side by side.
-struct Equations {
-  double left[kUnknowns][kUnknowns] = {};
-  double right[kUnknowns][kRows] = {};
-};
-
-/// Gaussian elimination; the solution replaces `right`. False if a pivot vanishes.
-bool solve(Equations& e) {
-  for (int column = 0; column < kUnknowns; ++column) {
-    int pivot = column;
-    for (int row = column + 1; row < kUnknowns; ++row)
-      if (std::abs(e.left[row][column]) > std::abs(e.left[pivot][column])) pivot = row;
-    if (!(std::abs(e.left[pivot][column]) > kFlatShare)) return false;
-    std::swap(e.left[pivot], e.left[column]);
-    std::swap(e.right[pivot], e.right[column]);
-    for (int row = 0; row < kUnknowns; ++row) {
-      if (row == column) continue;
-      const double factor = e.left[row][column] / e.left[column][column];
-      for (int i = 0; i < kUnknowns; ++i) e.left[row][i] -= factor * e.left[column][i];
-      for (int i = 0; i < kRows; ++i) e.right[row][i] -= factor * e.right[column][i];
-    }
-  }
-  for (int row = 0; row < kUnknowns; ++row)
-    for (int i = 0; i < kRows; ++i) e.right[row][i] /= e.left[row][row];
-  return true;
-}
-
-/// Pixels weigh by 1 / depth^2, so that errors count in pixels; the mean weight is 1.
-Equations equationsOf(const Image& position, const Image& depth, const Scale& scale) {
-  Equations e;
-  double weights = 0.0;
-  forEachSurface(position, depth, [&](int x, int y, const Vector3& p, double d) {
-    const double q[kUnknowns] = {(p[0] - scale.centre[0]) / scale.size, (p[1] - scale.centre[1]) / scale.size,
-                                 (p[2] - scale.centre[2]) / scale.size, 1.0};
-    const double target[kRows] = {ndcX(depth, x) * d, ndcY(depth, y) * d, d};
-    const double weight = 1.0 / (d * d);
-    weights += weight;
-    for (int i = 0; i < kUnknowns; ++i) {
-      for (int j = 0; j < kUnknowns; ++j) e.left[i][j] += weight * q[i] * q[j];
-      for (int j = 0; j < kRows; ++j) e.right[i][j] += weight * q[i] * target[j];
-    }
-  });
-  for (int i = 0; i < kUnknowns; ++i) {
-    for (double& value : e.left[i]) value /= weights;
-    for (double& value : e.right[i]) value /= weights;
-  }
-  return e;
-}
-
-double clipRow(const Matrix4& m, std::size_t row, const Vector3& p) {
-  return m[4 * row] * p[0] + m[4 * row + 1] * p[1] + m[4 * row + 2] * p[2] + m[4 * row + 3];
-}
-
-double rmsPx(const Matrix4& m, const Image& position, const Image& depth) {
-  double sum = 0.0, count = 0.0;
-  forEachSurface(position, depth, [&](int x, int y, const Vector3& p, double) {
-    const double w = clipRow(m, 3, p);
-    const double errorX = (clipRow(m, 0, p) / w - ndcX(depth, x)) * 0.5 * depth.width;
-    const double errorY = (clipRow(m, 1, p) / w - ndcY(depth, y)) * 0.5 * depth.height;
-    sum += errorX * errorX + errorY * errorY;
-    count += 1.0;
-  });
-  return std::sqrt(sum / count);
+/// Surfaces with a position, of all pixels or of a regular grid of them.
+std::vector<CameraSample> samplesOf(const Image& position, const Image& depth) {
+  std::vector<CameraSample> samples;
+  const double pixels = double(depth.width) * double(depth.height);
+  const int step = int(std::ceil(std::sqrt(pixels / kMostSamples)));
+  for (int y = step / 2; y < depth.height; y += step)
+    for (int x = step / 2; x < depth.width; x += step)
+      if (const Vector3 p = positionAt(position, x, y); isSurface(depth, x, y) && isFinite(p))
+        samples.push_back({p, ndcX(depth, x), ndcY(depth, y), double(depth.at(x, y, 0))});
+  return samples;
 }
 
 Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector3 scaled(const Vector3& a, double factor) { return {a[0] * factor, a[1] * factor, a[2] * factor}; }
+Vector3 unit(const Vector3& a) { return scaled(a, 1.0 / std::sqrt(dot(a, a))); }
 
 }  // namespace
 
-std::optional<Matrix4> findCamera(const Image& positionWorld, const Image& depth) {
-  const Scale scale = scaleOf(positionWorld, depth);
-  if (!(scale.size > 0.0)) return std::nullopt;  // NaN without any surface
-  Equations e = equationsOf(positionWorld, depth, scale);
-  if (!solve(e)) return std::nullopt;
+FoundCamera findCamera(const Image& positionWorld, const Image& depth) {
+  return fitCamera(samplesOf(positionWorld, depth), depth.width, depth.height);
+}
+
+Matrix4 standInCamera(const Image& positionWorld, const Image& normalWorld, const Image& depth) {
+  const std::vector<CameraSample> samples = samplesOf(positionWorld, depth);
+  const auto median = [&](const auto& valueOf) {
+    std::vector<double> values;
+    for (const CameraSample& sample : samples) values.push_back(valueOf(sample));
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return values.empty() ? 0.0 : *middle;
+  };
+  Vector3 centre{}, axis{};
+  for (std::size_t i = 0; i < 3; ++i)
+    centre[i] = median([&](const CameraSample& sample) { return sample.position[i]; });
+  for (std::size_t i = 0; i < normalWorld.pixels.size(); ++i)
+    if (std::isfinite(normalWorld.pixels[i])) axis[i % 3] -= double(normalWorld.pixels[i]);
+  axis = dot(axis, axis) > 0.0 ? unit(axis) : Vector3{0.0, 0.0, -1.0};
+  const Vector3 up = std::abs(axis[2]) < 0.9 ? Vector3{0.0, 0.0, 1.0} : Vector3{0.0, 1.0, 0.0};
+  const Vector3 right = unit(cross(axis, up));
+  const Vector3 rows[] = {right, scaled(cross(right, axis), double(depth.width) / depth.height), {}, axis};
   Matrix4 matrix{};
-  constexpr std::size_t kMatrixRows[kRows] = {0, 1, 3};
-  for (int row = 0; row < kRows; ++row) {
-    double* out = &matrix[4 * kMatrixRows[row]];
-    out[3] = e.right[3][row];
-    for (int axis = 0; axis < 3; ++axis) {
-      out[axis] = e.right[axis][row] / scale.size;
-      out[3] -= out[axis] * scale.centre[std::size_t(axis)];
-    }
+  for (std::size_t row = 0; row < 4; ++row) {
+    std::copy(rows[row].begin(), rows[row].end(), matrix.begin() + std::ptrdiff_t(4 * row));
+    matrix[4 * row + 3] = -dot(rows[row], centre);
   }
-  if (!(rmsPx(matrix, positionWorld, depth) < kFitPx)) return std::nullopt;
+  matrix[15] += samples.empty() ? 1.0 : median([](const CameraSample& sample) { return sample.depth; });
   return matrix;
 }
 

@@ -26,6 +26,8 @@ constexpr char kCombined[] = ".Combined.R";
 constexpr char kCompositorLayer[] = "Composite";
 
 constexpr ImageFiles kPosition = factsOf(&FrameData::positionWorld).files;
+constexpr ImageFiles kNormal = factsOf(&FrameData::normalWorld).files;
+constexpr ImageFiles kColor = factsOf(&FrameData::radiance).files;
 constexpr ImageFiles kDepth = factsOf(&FrameData::viewDepth).files;
 
 /// An image is the sum of these.
@@ -177,13 +179,39 @@ Image MultilayerSequence::readImage(int frame, const ImageFiles& files) const {
   return sum;
 }
 
+const FoundCamera& MultilayerSequence::foundCamera(int frame) const {
+  const auto known = m_found.find(frame);
+  if (known != m_found.end()) return known->second;
+  return m_found[frame] = findCamera(readImage(frame, kPosition), readImage(frame, kDepth));
+}
+
+std::optional<int> MultilayerSequence::lastFrameWithCamera(int frame) const {
+  for (; frame >= m_frames.front(); --frame)
+    if (foundCamera(frame).worldToClip) return frame;
+  return std::nullopt;
+}
+
 Matrix4 MultilayerSequence::worldToClipOf(int frame) const {
-  const auto camera = findCamera(readImage(frame, kPosition), readImage(frame, kDepth));
-  if (!camera)
-    throwFileError("read frame", fileOf(frame),
-                   "camera.json, or a perspective camera that follows from Position and Depth",
-                   "no surfaces, surfaces in one plane alone, or another camera");
-  return *camera;
+  if (const auto found = lastFrameWithCamera(frame)) return *foundCamera(*found).worldToClip;
+  return standInCamera(readImage(frame, kPosition), readImage(frame, kNormal), readImage(frame, kDepth));
+}
+
+void MultilayerSequence::setCamera(FrameData& data) const {
+  const int frame = data.number;
+  if (!m_cameras.empty()) {
+    data.camera = m_cameras.at(frame);
+    return;
+  }
+  data.camera.worldToClip = worldToClipOf(frame);
+  data.camera.worldToClipPrev = frame > m_frames.front() ? worldToClipOf(frame - 1) : data.camera.worldToClip;
+  if (foundCamera(frame).worldToClip) return;
+  const auto last = lastFrameWithCamera(frame);
+  data.warnings.push_back({FrameWarning::Kind::Camera, fileOf(frame),
+                           "camera.json, or a perspective camera that follows from Position and Depth",
+                           foundCamera(frame).failure,
+                           (last ? fmt::format("goes on with that of frame {}", *last)
+                                 : std::string("goes on with one made up, mostly without history")) +
+                               ", and so do others like it; camera.json beside the files would tell"});
 }
 
 Image MultilayerSequence::readPositions(int frame, const Matrix4& worldToClip) const {
@@ -199,18 +227,14 @@ FrameData MultilayerSequence::read(int frame) const {
   requireFrame(m_name, m_frames, frame);
   FrameData data;
   data.number = frame;
-  if (!m_cameras.empty()) {
-    data.camera = m_cameras.at(frame);
-  } else {
-    data.camera.worldToClip = worldToClipOf(frame);
-    data.camera.worldToClipPrev =
-        frame > m_frames.front() ? worldToClipOf(frame - 1) : data.camera.worldToClip;
-  }
+  setCamera(data);
   data.demodulated = m_signals == 2;
   for (const ImageSource& source : imageSources(m_signals))
     data.*source.image = source.image == &FrameData::positionWorld
                              ? readPositions(frame, data.camera.worldToClip)
                              : readImage(frame, source.files);
+  if (hasPass(kColor.passes, "A"))
+    data.alpha = readChannelsOfSize(fileOf(frame), channelsOf(kColor.passes, "A"), m_width, m_height);
   for (std::size_t pixel = 0; !data.motion.empty() && pixel < data.normalWorld.pixels.size() / 3; ++pixel) {
     float* motion = &data.motion.pixels[2 * pixel];
     const float* normal = &data.normalWorld.pixels[3 * pixel];
@@ -221,9 +245,11 @@ FrameData MultilayerSequence::read(int frame) const {
   return data;
 }
 
-std::optional<Reference> MultilayerSequence::reference(int frame) const {
-  requireFrame(m_name, m_frames, frame);
-  return std::nullopt;
+bool MultilayerSequence::hasReference(int /*frame*/, ReferenceKind /*kind*/) const { return false; }
+
+Reference MultilayerSequence::reference(int frame, ReferenceKind kind) const {
+  requireReference(*this, frame, kind);
+  return {};
 }
 
 }  // namespace quell::io

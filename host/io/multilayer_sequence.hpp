@@ -6,12 +6,14 @@
 //
 // The camera comes from camera.json beside the files (cycles_sequence.hpp), whose frame numbers are those of the file
 // names. Without it, it follows from Position and Depth: each is a linear function of the other, up to the pixel.
+// Alpha of Combined is kept beside the frame.
 #pragma once
 
 #include <map>
 #include <string>
 #include <vector>
 
+#include "host/io/camera_fit.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::io {
@@ -34,9 +36,12 @@ class MultilayerSequence final : public FrameSequence {
   int height() const override { return m_height; }
   std::vector<int> frames() const override { return m_frames; }
   /// Throws Error(InvalidArgument) for a frame that is not there or an image of another size, Error(FileError) for an
-  /// unreadable file or a camera that cannot be found (all surfaces in one plane, or none at all).
+  /// unreadable file. Where no camera can be found (all surfaces in one plane, or none at all), the frame has that of the
+  /// last one before that has one, else standInCamera(), and a warning.
   FrameData read(int frame) const override;
-  std::optional<Reference> reference(int frame) const override;
+  std::string fileOf(int frame, const ImageFiles&) const override { return fileOf(frame); }
+  bool hasReference(int frame, ReferenceKind kind) const override;
+  Reference reference(int frame, ReferenceKind kind) const override;
 
  private:
   void openCameras(const std::string& directory);
@@ -47,13 +52,17 @@ class MultilayerSequence final : public FrameSequence {
   bool hasImage(const ImageFiles& files) const;
   Image readImage(int frame, const ImageFiles& files) const;
   Image readPositions(int frame, const Matrix4& worldToClip) const;
+  const FoundCamera& foundCamera(int frame) const;
+  std::optional<int> lastFrameWithCamera(int frame) const;  ///< up to this one
   Matrix4 worldToClipOf(int frame) const;
+  void setCamera(FrameData& data) const;
 
   std::string m_name;
   std::string m_prefix;  ///< path up to the number
   int m_digits = 0;      ///< least digits of the number; 0: a name without one
   std::vector<int> m_frames;
-  std::map<int, Camera> m_cameras;  ///< empty: found from the passes
+  std::map<int, Camera> m_cameras;             ///< empty: found from the passes
+  mutable std::map<int, FoundCamera> m_found;  ///< by frame; looking takes longer than reading
   std::vector<std::string> m_channels;
   std::string m_layer;
   int m_width = 0;

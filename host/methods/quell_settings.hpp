@@ -29,7 +29,7 @@ inline SettingTable<QuellSettings> quellSettings() {
   using S = QuellSettings;
   constexpr const char* sweep = "sweep, docs/quell-sweep.md";
   SettingTable<S> table;
-  table.add("historyFrames", &S::historyFrames, 10, {1, 255, "frames"},
+  table.add("historyFrames", &S::historyFrames, 7, {1, 255, "frames"},
             "longest history of what moves on the screen", sweep);
   table.add("stillHistoryFrames", &S::stillHistoryFrames, 32, {1, 255, "frames"},
             "longest history of what does not move on the screen; at least historyFrames counts", sweep);

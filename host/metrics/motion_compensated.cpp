@@ -21,6 +21,11 @@ Vector at(const io::Image& image, int x, int y) {
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+double clipRow(const Matrix4& worldToClip, std::size_t row, const Vector& p) {
+  const double* m = &worldToClip[4 * row];
+  return m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
+}
+
 // Pixel index in the frame before, where history lives on pixel centres (quell::Camera), and clip.w there; nothing
 // behind the camera.
 struct Place {
@@ -28,10 +33,7 @@ struct Place {
 };
 
 std::optional<Place> reproject(const Camera& camera, const Vector& p, int width, int height) {
-  const auto row = [&](std::size_t r) {
-    const double* m = &camera.worldToClipPrev[4 * r];
-    return m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
-  };
+  const auto row = [&](std::size_t r) { return clipRow(camera.worldToClipPrev, r, p); };
   const double w = row(3);
   if (!(w > 0.0)) return std::nullopt;
   return Place{(0.5 + 0.5 * row(0) / w) * width - 0.5 - camera.jitterPx[0],
@@ -53,8 +55,12 @@ struct Point {
 
 bool sameSurface(const TrackedFrame& before, const Point& point, int x, int y) {
   if (!(dot(at(before.normalWorld, x, y), point.normal) >= kSameSurfaceCosine)) return false;
-  if (point.moved) return before.objectId.at(x, y, 0) == point.objectId;
   const Vector position = at(before.positionWorld, x, y);
+  if (point.moved) {
+    const double change = clipRow(before.camera.worldToClip, 3, position) - point.place.clipW;
+    return before.objectId.at(x, y, 0) == point.objectId &&
+           std::abs(change) <= kMovedDepthShare * point.place.clipW;
+  }
   const Vector step = {position[0] - point.position[0], position[1] - point.position[1],
                        position[2] - point.position[2]};
   const double limit = kSameSurfaceShare * point.place.clipW;

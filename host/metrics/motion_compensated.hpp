@@ -23,13 +23,15 @@ struct TrackedFrame {
 constexpr double kSameSurfaceShare = 0.01;
 /// Least cosine between their normals.
 constexpr double kSameSurfaceCosine = 0.9;
+/// Largest change of clip.w of a surface that has moved, as a share of what it would be at rest.
+constexpr double kMovedDepthShare = 0.1;
 /// A surface has moved where its motion vector leads farther than this from where the matrices do, pixels.
 constexpr double kMovedPx = 0.25;
 
 /// Motion-compensated temporal error: the mean of |luma(pixel) - luma(same surface point, frame before)|, Rec. 709,
 /// display-encoded, over the pixels whose surface all four bilinear taps of the frame before show. For a static
 /// view this is the plain temporal error without background. Moving objects count where there are motion vectors and
-/// object ids: their surface is the same if the object is and the normals are near. Otherwise they count as not
+/// object ids: their surface is the same if the object is, and normals and depth are near. Otherwise they count as not
 /// visible before.
 class MotionCompensatedErrorMeter {
  public:

@@ -28,9 +28,14 @@ struct Light {
 /// albedo * diffuse + glossColor * glossy + emission.
 io::Image composeColor(const Features& features, const Light& light);
 
-/// Streams of random numbers: noisy frames and both halves ('a' and 'b') of a reference are independent.
+/// A frame of two signals.
+io::FrameData withLight(const Features& features, const Light& light);
+
+/// Streams of random numbers: noisy frames and both halves ('a' and 'b') of both kinds of reference are independent.
 constexpr int kNoisyStream = 0;
-constexpr int referenceStream(char half) { return half == 'a' ? 1 : 2; }
+constexpr int referenceStream(char half, io::ReferenceKind kind = io::ReferenceKind::Centre) {
+  return (half == 'a' ? 1 : 2) + (kind == io::ReferenceKind::Centre ? 0 : 2);
+}
 
 /// A seed of its own for every frame and stream.
 std::uint32_t mixSeed(std::uint32_t seed, int frame, int stream);
@@ -52,6 +57,11 @@ class PathTracer {
   /// number of samples just done.
   Light light(std::uint32_t seed, int samples, Estimator estimator = Estimator::Both,
               const SampleProgress& progress = {});
+
+  /// The picture antialiased over the pixel (box filter, 1 px), 3 channels, linear: samples >= 1 per pixel, at
+  /// places inside it that change every few samples; the cameras' own jitter does not count.
+  io::Image antialiased(Scene now, Scene before, std::uint32_t seed, int samples,
+                        const SampleProgress& progress = {});
 
   const std::string& deviceName() const;
 

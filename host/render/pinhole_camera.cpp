@@ -50,7 +50,10 @@ RenderCamera makeRenderCamera(const PinholeCamera& camera, int width, int height
   const glm::dmat4 clip = viewProjection(camera, width, height);
   RenderCamera packed{};
   packed.eye = pack(camera.eye);
-  packed.corner = pack(forward + 0.5 * pixel * ((1.0 - width) * right + (height - 1.0) * up));
+  // Pixels from the image's middle to where the first pixel is seen through, x right, y down.
+  const double firstX = 0.5 * (1.0 - width) + camera.jitterPx[0];
+  const double firstY = 0.5 * (1.0 - height) + camera.jitterPx[1];
+  packed.corner = pack(forward + pixel * (firstX * right - firstY * up));
   packed.stepX = pack(pixel * right);
   packed.stepY = pack(-pixel * up);
   packed.clip[0] = clipRow(clip, 0, camera.eye);

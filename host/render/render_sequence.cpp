@@ -4,6 +4,8 @@
 
 #include <quell/error.hpp>
 
+#include "host/io/halton.hpp"
+
 namespace quell::render {
 namespace {
 
@@ -27,15 +29,18 @@ class Run {
       m_referenceFrames = options.referenceFrames.empty()
                               ? defaultReferenceFrames(m_scene, options.frameCount)
                               : options.referenceFrames;
-    m_work = double(options.frameCount) * options.settings.samples +
-             2.0 * double(m_referenceFrames.size()) * options.settings.referenceSamples;
+    if (options.settings.jitter) m_referenceKinds.push_back(io::ReferenceKind::Antialiased);
+    const double halves = 2.0 * double(m_referenceKinds.size() * m_referenceFrames.size());
+    m_work =
+        double(options.frameCount) * options.settings.samples + halves * options.settings.referenceSamples;
     m_report.device = m_tracer.deviceName();
   }
 
   RenderReport run() {
     for (int frame = 0; frame < m_options.frameCount; ++frame) renderFrame(frame);
     for (const int frame : m_referenceFrames)
-      for (const char half : {'a', 'b'}) renderReference(frame, half);
+      for (const io::ReferenceKind kind : m_referenceKinds)
+        for (const char half : {'a', 'b'}) renderReference(frame, kind, half);
     return m_report;
   }
 
@@ -46,27 +51,40 @@ class Run {
       ++m_report.framesKept;
       return advance(samples, fmt::format("frame {} kept", frame));
     }
-    const Features features = m_tracer.features(makeScene(m_scene, frame), makeScene(m_scene, frame - 1));
-    m_writer.writeFrame(frame, features, lightOf(frame, kNoisyStream, samples, {}));
+    Scene scene = makeScene(m_scene, frame);
+    if (m_options.settings.jitter) scene.camera.jitterPx = io::jitterPxOf(frame);
+    const Features features = m_tracer.features(scene, makeScene(m_scene, frame - 1));
+    m_writer.writeFrame(frame, withLight(features, lightOf(frame, kNoisyStream, samples, {})));
     ++m_report.framesRendered;
     advance(samples, fmt::format("frame {}", frame));
   }
 
-  void renderReference(int frame, char half) {
+  void renderReference(int frame, io::ReferenceKind kind, char half) {
     const int samples = m_options.settings.referenceSamples;
-    const std::string name = fmt::format("reference {} of frame {}", half, frame);
-    if (m_writer.hasReference(frame, half)) {
+    const std::string name = fmt::format("reference {} ({}) of frame {}", half, toString(kind), frame);
+    if (m_writer.hasReference(frame, kind, half)) {
       ++m_report.halvesKept;
       return advance(samples, name + " kept");
     }
-    const Features features = m_tracer.features(makeScene(m_scene, frame), makeScene(m_scene, frame - 1));
-    const Light light =
-        lightOf(frame, referenceStream(half), samples, [&](int done) { advance(done, name); });
-    m_writer.writeReference(frame, half, features, light);
+    const SampleProgress progress = [&](int done) { advance(done, name); };
+    m_writer.writeReference(frame, kind, half, referenceOf(frame, kind, half, progress));
     ++m_report.halvesRendered;
   }
 
-  Light lightOf(int frame, int stream, int samples, const std::function<void(int)>& progress) {
+  io::FrameData referenceOf(int frame, io::ReferenceKind kind, char half, const SampleProgress& progress) {
+    const int samples = m_options.settings.referenceSamples, stream = referenceStream(half, kind);
+    const Scene now = makeScene(m_scene, frame), before = makeScene(m_scene, frame - 1);
+    if (kind == io::ReferenceKind::Centre) {
+      const Features features = m_tracer.features(now, before);
+      return withLight(features, lightOf(frame, stream, samples, progress));
+    }
+    io::FrameData data;
+    data.combined =
+        m_tracer.antialiased(now, before, mixSeed(m_options.settings.seed, frame, stream), samples, progress);
+    return data;
+  }
+
+  Light lightOf(int frame, int stream, int samples, const SampleProgress& progress) {
     return m_tracer.light(mixSeed(m_options.settings.seed, frame, stream), samples, Estimator::Both,
                           progress);
   }
@@ -82,6 +100,7 @@ class Run {
   PathTracer m_tracer;
   SequenceWriter m_writer;
   std::vector<int> m_referenceFrames;
+  std::vector<io::ReferenceKind> m_referenceKinds{io::ReferenceKind::Centre};
   RenderReport m_report;
   double m_work = 0.0;
   double m_done = 0.0;

@@ -13,6 +13,7 @@
 #include "host/io/cycles_sequence.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/file_error.hpp"
+#include "host/io/halton.hpp"
 #include "host/io/image_sources.hpp"
 
 namespace quell::render {
@@ -22,6 +23,7 @@ using nlohmann::json;
 
 constexpr char kStage[] = "render";
 constexpr char kSettingsFile[] = "render.json";
+constexpr char kJitterSetting[] = "jitter";
 /// Grows when the same settings no longer give the same pixels.
 constexpr int kRendererVersion = 1;
 
@@ -33,31 +35,19 @@ std::vector<io::ImageSource> frameImages() {
   return images;
 }
 
-std::vector<io::ImageSource> referenceImages() {
+// Of the antialiased kind the picture alone: over an edge, light apart from material means nothing.
+std::vector<io::ImageSource> referenceImages(io::ReferenceKind kind) {
+  const bool parts = kind == io::ReferenceKind::Centre;
   std::vector<io::ImageSource> images;
   for (const io::ImageSource& image : io::imageSources(2))
-    if (image.image == &io::FrameData::radiance || image.image == &io::FrameData::glossyRadiance ||
-        image.image == &io::FrameData::combined)
+    if (image.image == &io::FrameData::combined ||
+        (parts && (image.image == &io::FrameData::radiance || image.image == &io::FrameData::glossyRadiance)))
       images.push_back(image);
   return images;
 }
 
-std::string referenceStem(char half, const io::ImageSource& image) {
-  return fmt::format("ref_{}_{}", half, image.files.stem);
-}
-
 std::string joined(const std::string& directory, const std::string& name) {
   return (std::filesystem::path(directory) / name).string();
-}
-
-/// A frame of two signals.
-io::FrameData withLight(const Features& features, const Light& light) {
-  io::FrameData data = features;
-  data.radiance = light.diffuse;
-  data.glossyRadiance = light.glossy;
-  data.hitDistance = light.hitDistance;
-  data.combined = composeColor(features, light);
-  return data;
 }
 
 json rowsOf(const Matrix4& matrix) {
@@ -70,13 +60,16 @@ json rowsOf(const Matrix4& matrix) {
 /// What must be equal for frames to belong to one sequence.
 json identity(const SequenceSettings& settings) {
   return {{"renderer", kRendererVersion},   {"scene", settings.scene},     {"width", settings.size.width},
-          {"height", settings.size.height}, {"samples", settings.samples}, {"seed", settings.seed}};
+          {"height", settings.size.height}, {"samples", settings.samples}, {"seed", settings.seed},
+          {kJitterSetting, settings.jitter}};
 }
 
 json readSettings(const std::string& path) {
   if (!std::filesystem::exists(path)) return nullptr;
   try {
-    return json::parse(io::readFile(path));
+    json settings = json::parse(io::readFile(path));
+    settings.emplace(kJitterSetting, false);  // of directories that are older than jitter
+    return settings;
   } catch (const json::exception& error) {
     io::throwFileError(kStage, path, "the settings of a rendering", error.what());
   }
@@ -125,6 +118,7 @@ void SequenceWriter::writeCameras(const SceneEntry& scene, int frameCount) const
     json current = matrixAt(frame);
     frames.push_back(
         {{"frame", frame}, {"view_projection", current}, {"previous_view_projection", std::move(previous)}});
+    if (m_settings.jitter) frames.back()[io::kJitterKey] = io::jitterPxOf(frame);
     previous = std::move(current);
   }
   const json document = {
@@ -147,24 +141,23 @@ bool SequenceWriter::hasFrame(int frame) const {
                      [&](const io::ImageSource& image) { return isWhole(image.files.stem, frame); });
 }
 
-bool SequenceWriter::hasReference(int frame, char half) const {
-  const auto images = referenceImages();
+bool SequenceWriter::hasReference(int frame, io::ReferenceKind kind, char half) const {
+  const auto images = referenceImages(kind);
   return std::all_of(images.begin(), images.end(), [&](const io::ImageSource& image) {
-    return isWhole(referenceStem(half, image), frame);
+    return isWhole(io::referenceStem(kind, half, image.files.stem), frame);
   });
 }
 
-void SequenceWriter::writeFrame(int frame, const Features& features, const Light& light) const {
-  const io::FrameData data = withLight(features, light);
+void SequenceWriter::writeFrame(int frame, const io::FrameData& data) const {
   for (const io::ImageSource& image : frameImages())
     io::writeImage(path(image.files.stem, frame), data.*image.image, image.files);
 }
 
-void SequenceWriter::writeReference(int frame, char half, const Features& features,
-                                    const Light& light) const {
-  const io::FrameData data = withLight(features, light);
-  for (const io::ImageSource& image : referenceImages())
-    io::writeImage(path(referenceStem(half, image), frame), data.*image.image, image.files);
+void SequenceWriter::writeReference(int frame, io::ReferenceKind kind, char half,
+                                    const io::FrameData& data) const {
+  for (const io::ImageSource& image : referenceImages(kind))
+    io::writeImage(path(io::referenceStem(kind, half, image.files.stem), frame), data.*image.image,
+                   image.files);
 }
 
 }  // namespace quell::render

@@ -1,8 +1,8 @@
 // A rendered sequence as files: the layout of host/io/cycles_sequence.hpp.
 //
 // For each frame all images of the contract that have files, light as two signals and as a whole (color); for frames
-// with a reference ref_a_<stem> and ref_b_<stem> of light alone; camera.json with the matrices; render.json with the
-// settings of the rendering.
+// with a reference its files (host/io/reference.hpp), of light alone; camera.json with the matrices and jitter;
+// render.json with the settings of the rendering.
 #pragma once
 
 #include <string>
@@ -19,6 +19,7 @@ struct SequenceSettings {
   int samples = 1;           ///< per pixel
   int referenceSamples = 0;  ///< per pixel and half
   std::uint32_t seed = 1;
+  bool jitter = false;  ///< primary rays of the frames leave the pixel centres, by io::jitterPxOf()
 };
 
 class SequenceWriter {
@@ -28,14 +29,15 @@ class SequenceWriter {
   /// Throws Error(FileError) if it cannot be written, Error(InvalidArgument) if it holds another rendering.
   SequenceWriter(std::string directory, const SequenceSettings& settings, int frameCount);
 
-  /// Whether all files of the frame, or of one half ('a' or 'b') of its reference, are there and can be read
+  /// Whether all files of the frame, or of one half ('a' or 'b') of a reference, are there and can be read
   /// to their end.
   bool hasFrame(int frame) const;
-  bool hasReference(int frame, char half) const;
+  bool hasReference(int frame, io::ReferenceKind kind, char half) const;
 
-  /// color comes last: a reader finds a frame by it. Throws Error(FileError).
-  void writeFrame(int frame, const Features& features, const Light& light) const;
-  void writeReference(int frame, char half, const Features& features, const Light& light) const;
+  /// Data of two signals. color comes last: a reader finds a frame by it. Throws Error(FileError).
+  void writeFrame(int frame, const io::FrameData& data) const;
+  /// Of the antialiased kind FrameData::combined is enough.
+  void writeReference(int frame, io::ReferenceKind kind, char half, const io::FrameData& data) const;
 
  private:
   std::string path(const std::string& stem, int frame) const;

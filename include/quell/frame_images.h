@@ -31,11 +31,11 @@
   IMAGE(glossyRadiance, GLOSSYRADIANCE, 1, 4, VALUES, OPTIONAL,                                                        \
         ("glossy_radiance", "RGB", HALF, "GlossDir+GlossInd", "RGB"),                                                  \
         ("one signal", "linear, of the glossy lobe", "clamped to 0 .. 65504", "missing sample"))                       \
-  /* Shading normal, unit length (0.5 to 2 is tolerated). A zero normal marks background, which passes through
+  /* Shading normal of any length from 1e-18 to 1e18. A zero normal marks background, which passes through
      unfiltered. */                                                                                                    \
   IMAGE(normalWorld, NORMALWORLD, 3, 4, VALUES, REQUIRED,                                                              \
         ("shading_normal", "RGB", HALF, "Normal", "XYZ"),                                                              \
-        ("", "world, unit length", "0 marks background", "pixel passes through"))                                      \
+        ("", "world, any length", "0 marks background", "pixel passes through"))                                       \
   /* Half is accepted only while the camera is within kHalfPositionRange of the world origin on every axis. Either this
      or viewDepth. */                                                                                                  \
   IMAGE(positionWorld, POSITIONWORLD, 3, 4, VALUES, OPTIONAL,                                                          \
@@ -45,15 +45,15 @@
   IMAGE(viewDepth, VIEWDEPTH, 1, 1, VALUES, OPTIONAL,                                                                  \
         ("", "Y", FLOAT, "Depth", "Z"),                                                                                \
         ("`positionWorld`", "along the view axis, scene units", "positive in front", "pixel passes through"))          \
-  /* Diffuse albedo. */                                                                                                \
+  /* Diffuse albedo. Light is divided by 0.01 to 2 in a channel; what becomes of channels below says README.md. */     \
   IMAGE(albedo, ALBEDO, 1, 4, VALUES, OPTIONAL,                                                                        \
         ("albedo", "RGB", HALF, "DiffCol", "RGB"),                                                                     \
-        ("1", "reflectance", "0 .. 1", "counts as 0: passes through"))                                                 \
+        ("1", "reflectance", "0 .. 1", "counts as 0"))                                                                 \
   /* Tint of the glossy lobe. With one signal irradiance is (radiance - emission) / (albedo + gloss colour), with two
      (radiance - emission) / albedo and glossyRadiance / gloss colour; a factor that is not given is 1. */             \
   IMAGE(glossColor, GLOSSCOLOR, 1, 4, VALUES, OPTIONAL,                                                                \
         ("gloss_color", "RGB", HALF, "GlossCol", "RGB"),                                                               \
-        ("1", "reflectance", "0 .. 1", "counts as 0: passes through"))                                                 \
+        ("1", "reflectance", "0 .. 1", "counts as 0"))                                                                 \
   /* Roughness of the glossy lobe, 0: mirror. Read by edge stops (setting `roughnessSigma`), by features that are made
      of it (setting `features` of bmfr) and where light is divided by F_beta. */                                       \
   IMAGE(roughness, ROUGHNESS, 1, 1, VALUES, OPTIONAL,                                                                  \
@@ -63,7 +63,7 @@
   IMAGE(f0, F0, 1, 4, VALUES, OPTIONAL,                                                                                \
         ("f0", "RGB", HALF, "", "RGB"),                                                                                \
         ("1", "reflectance at normal incidence", "0 .. 1", "counts as 0"))                                             \
-  /* Emitted radiance and visible sky, added back unfiltered. */                                                       \
+  /* Emitted radiance and visible sky, added back unfiltered, no more of it than radiance has. */                      \
   IMAGE(emission, EMISSION, 1, 4, VALUES, OPTIONAL,                                                                    \
         ("emission", "RGB", HALF, "Emit+Env", "RGB"),                                                                  \
         ("0", "linear", "0 .. 65504", "missing sample"))                                                               \

@@ -28,4 +28,7 @@ typedef struct FrameImages {
 // Pixels of the image `name`; see loadPixels().
 #define LOAD_IMAGE(name, NAME, x, y, lanes) LOAD_PIXELS(NAME, images.name, images.views.name, x, y, lanes)
 
+// Pixels of the image `name` from a column a lane; see gatherPixels().
+#define GATHER_IMAGE(name, NAME, column, y) GATHER_PIXELS(NAME, images.name, images.views.name, column, y)
+
 #endif

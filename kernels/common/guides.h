@@ -4,8 +4,9 @@
 
 // Planes of the guides; with two signals a second weight follows.
 #define QUELL_GUIDE_POSITION 0  // camera-relative position, 3 planes
-#define QUELL_GUIDE_NORMAL 3    // world-space normal, 3 planes; 0 where the pixel cannot be filtered
-#define QUELL_GUIDE_WEIGHT 6    // weight as a filter tap, 0 to 1, per signal; 0 where there is no sample
+#define QUELL_GUIDE_NORMAL 3    // world-space normal, 3 planes; turned where light has no factor in a channel (see
+                                // common/filter_input.h); 0 where the pixel cannot be filtered
+#define QUELL_GUIDE_WEIGHT 6    // weight as a filter tap, 0 or 1, per signal; 0 where there is no sample to filter
 #define QUELL_GUIDE_PLANES_OF(signals) (QUELL_GUIDE_WEIGHT + (signals))
 
 // Planes of the moments of luminance, per signal.

@@ -144,6 +144,32 @@ QUELL_INLINE float3L loadPixels(__global const void* data, ImageViewParams view,
   return v;
 }
 
+// One pixel a lane, from the columns given, which must lie in the image; components as loadPixels() has them.
+QUELL_INLINE float3L gatherPixels(__global const void* data, ImageViewParams view, intL column, int y,
+                                  int format, int channels, int stride) {
+  const size_t row = (size_t)view.offset + (size_t)y * (size_t)view.rowPitch;
+  float3L v;
+#if QUELL_LANES == 1
+  const size_t first = row + (size_t)column * (size_t)stride;
+  v.x = loadComponent(data, first, format);
+  v.y = channels >= 2 ? loadComponent(data, first + 1, format) : v.x;
+  v.z = channels >= 3 ? loadComponent(data, first + 2, format) : channels == 1 ? v.x : 0.0f;
+#else
+  int columns[16];
+  float values[3][16];
+  vstore16(column, 0, columns);
+  for (int lane = 0; lane < 16; ++lane) {
+    const size_t first = row + (size_t)columns[lane] * (size_t)stride;
+    for (int c = 0; c < 3; ++c)
+      values[c][lane] = c < channels ? loadComponent(data, first + (size_t)c, format) : 0.0f;
+  }
+  v.x = vload16(0, values[0]);
+  v.y = channels >= 2 ? vload16(0, values[1]) : v.x;
+  v.z = channels == 1 ? v.x : vload16(0, values[2]);
+#endif
+  return v;
+}
+
 // The bits of the one component of `lanes` pixels, from whichever format; lanes from `lanes` on are 0.
 QUELL_INLINE intL loadWords(__global const void* data, ImageViewParams view, int x, int y, int lanes,
                             int format, int stride) {
@@ -198,6 +224,8 @@ QUELL_INLINE void storePixels(float3L value, __global void* data, ImageViewParam
 // Spares a kernel from naming the compile options one by one.
 #define LOAD_PIXELS(NAME, data, view, x, y, lanes) \
   loadPixels((data), (view), (x), (y), (lanes), NAME##_FORMAT, NAME##_CHANNELS, NAME##_STRIDE)
+#define GATHER_PIXELS(NAME, data, view, column, y) \
+  gatherPixels((data), (view), (column), (y), NAME##_FORMAT, NAME##_CHANNELS, NAME##_STRIDE)
 #define LOAD_WORDS(NAME, data, view, x, y, lanes) \
   loadWords((data), (view), (x), (y), (lanes), NAME##_FORMAT, NAME##_STRIDE)
 #define STORE_PIXELS(NAME, value, data, view, x, y, lanes) \

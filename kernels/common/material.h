@@ -12,15 +12,18 @@
 #include "common/planes.h"
 
 typedef struct Signal {
-  float3L value;   // without emission, [0, 65504]; 0 where it is broken
-  float3L factor;  // filters see value / factor
-  float3L tint;    // multiplied once more at the end
+  float3L value;    // without emission, [0, 65504]; 0 where it is broken
+  float3L divisor;  // filters see value / divisor; see common/demodulation.h
+  float3L tint;     // multiplied once more at the end
   intL finite;
+  intL weak;   // channels whose factor vanishes
+  intL emits;  // an emitter: what is left without its emission is not filtered
+  intL faint;  // of two signals, as if of a lobe that is not there
 } Signal;
 
 typedef struct Material {
   Signal signals[QUELL_SIGNALS];
-  float3L emission;  // 0 where there is none or it is broken
+  float3L emission;  // as far as radiance has it; 0 where there is none or it is broken
 } Material;
 
 // F_beta as the first stage of a frame has left it; 1 where light is not divided by it.
@@ -42,6 +45,8 @@ QUELL_INLINE float3L divide3(float3L a, float3L b) {
 }
 #endif
 
+QUELL_INLINE intL anyChannel(float3L v) { return v.x > 0.0f || v.y > 0.0f || v.z > 0.0f; }
+
 // A signal that is tinted by `color`, which the caller may have divided by, and dimmed by `fBeta`.
 QUELL_INLINE Signal makeSignal(float3L radiance, float3L emission, intL emissionFinite, float3L color,
                                float3L fBeta) {
@@ -49,16 +54,35 @@ QUELL_INLINE Signal makeSignal(float3L radiance, float3L emission, intL emission
   signal.finite = isFinite3(radiance) && emissionFinite;
   signal.value = cleanSignal(radiance, emission, signal.finite);
 #if DEMODULATED
-  signal.factor = fBeta;
+  const float3L factor = fBeta;
   signal.tint = color;
 #elif DEMODULATE
-  signal.factor = multiply3(color, fBeta);
+  const float3L factor = multiply3(color, fBeta);
   signal.tint = splat3(1.0f);
 #else
-  signal.factor = splat3(1.0f);
+  const float3L factor = splat3(1.0f);
   signal.tint = splat3(1.0f);
 #endif
+  signal.weak = weakChannels(factor);
+  signal.divisor = divisorOf(factor);
+  const intL vanishes = signal.weak == QUELL_ALL_WEAK;
+  signal.emits = vanishes && anyChannel(emission);
+  signal.faint = QUELL_SIGNALS == 2 && vanishes && (!anyChannel(signal.value) || anyChannel(factor));
   return signal;
+}
+
+// Emission as radiance has it: a renderer that clamps radiance may not clamp emission, and what is added back must be no
+// more than what was there. Emission of [0, 65504].
+QUELL_INLINE float3L includedEmission(float3L emission, float3L radiance) {
+#if DEMODULATED
+  return emission;  // irradiance has none in it
+#else
+  float3L included;
+  included.x = maxLanes(minLanes(emission.x, radiance.x), ZERO_LANES);
+  included.y = maxLanes(minLanes(emission.y, radiance.y), ZERO_LANES);
+  included.z = maxLanes(minLanes(emission.z, radiance.z), ZERO_LANES);
+  return select3(isFinite3(radiance), included, emission);
+#endif
 }
 
 // `fBeta` counts where the configuration divides by it.
@@ -70,15 +94,16 @@ QUELL_INLINE Material loadMaterial(FrameImages images, float3L fBeta, int x, int
 #else
   const float3L albedo = one;
 #endif
+  const float3L radiance = LOAD_IMAGE(radiance, RADIANCE, x, y, lanes);
 #if EMISSION_FORMAT
   const float3L emission = LOAD_IMAGE(emission, EMISSION, x, y, lanes);
   const intL emissionFinite = isFinite3(emission);
-  material.emission = select3(emissionFinite, clamp3(emission, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f));
+  material.emission = includedEmission(
+      select3(emissionFinite, clamp3(emission, 0.0f, QUELL_MAX_RADIANCE), splat3(0.0f)), radiance);
 #else
   const intL emissionFinite = TRUE_LANES;
   material.emission = splat3(0.0f);
 #endif
-  const float3L radiance = LOAD_IMAGE(radiance, RADIANCE, x, y, lanes);
 #if DEMODULATED
   const float3L included = splat3(0.0f);  // irradiance has no emission in it
 #else

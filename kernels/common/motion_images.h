@@ -5,7 +5,10 @@
 //   no      no        world position and normal are near
 //   no      yes       world position and normal are near and the object is the same
 //   yes     no        view depth and normal are near
-//   yes     yes       the normal is near and the object is the same
+//   yes     yes       view depth and normal are near and the object is the same
+//
+// An object id only ever speaks against a sample: ids may be 0 everywhere, one for a whole figure or one for a material,
+// and the wall behind a raised arm must not take the arm's history for its own.
 //
 // Light does not turn with a surface: along motion vectors that the camera does not explain, history reaches back only
 // as far as the surface has turned by a share of the normal limit (Turn).
@@ -47,9 +50,7 @@ QUELL_INLINE intL loadObjectId(FrameImages images, int x, int y, int lanes) {
 QUELL_INLINE intL sameHistory(ReprojectionParams reprojection, Surface surface, intL objectId,
                               float3L positionPrev, float3L normalPrev, __global const int* objectIdPrev,
                               GatherPlan plan, floatL limitSquared) {
-#if MOTION_FORMAT && OBJECTID_FORMAT
-  const intL same = sameNormal(reprojection, surface, normalPrev);
-#elif MOTION_FORMAT
+#if MOTION_FORMAT
   const intL same =
       sameNormal(reprojection, surface, normalPrev) && nearDepth(reprojection, surface, positionPrev);
 #else

@@ -2,7 +2,7 @@
 // Paper: Koskela et al. 2019, phase I (preprocessing): "We use bilinear sampling of the history data and do a discard
 // test for each pixel separately"; world positions and shading normals decide.
 // Departures: positions are camera-relative; limits follow the pixel's footprint unless they are set in scene units;
-// the result is rounded to 1/256 pixel; taps are also weighted by how much of their pixel was filtered at all; motion
+// the result is rounded to 1/256 pixel; taps also count by their weight as filter taps, 0 where nothing was filtered; motion
 // vectors and object ids of the caller (common/motion_images.h).
 #ifndef QUELL_COMMON_REPROJECTION_H
 #define QUELL_COMMON_REPROJECTION_H

@@ -39,13 +39,14 @@ QUELL_NAMESPACE_END
 // Positions at or beyond this distance from the camera (scene units) count as missing: their squares must not
 // overflow a float.
 #define QUELL_MAX_POSITION 1e18f
-// A shorter squared normal marks background, a longer one is not a normal at all; both are passed through.
-#define QUELL_MIN_NORMAL_SQUARED 0.25f
-#define QUELL_MAX_NORMAL_SQUARED 4.0f
+// A shorter squared normal marks background, a longer one is not a normal at all; both are passed through. Between them
+// every length is normalised: as far as its square neither vanishes nor overflows in a float.
+#define QUELL_MIN_NORMAL_SQUARED 1e-36f
+#define QUELL_MAX_NORMAL_SQUARED 1e36f
 // Reprojected positions are rounded to this fraction of a pixel, as texture units do: a static camera then
 // reprojects exactly onto pixel centres, whatever the rounding of the matrices.
 #define QUELL_SUBPIXEL_STEPS 256.0f
-// With motion vectors and no object ids: largest change of view depth from one frame to the next, as a share of it.
+// With motion vectors: largest change of view depth from one frame to the next, as a share of it.
 // Wide: an object may come nearer by a tenth of its distance in a frame; what it uncovers mostly lies farther behind.
 #define QUELL_DEPTH_STEP_LIMIT 0.1f
 

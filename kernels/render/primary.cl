@@ -1,4 +1,4 @@
-// primary: one ray through the centre of every pixel; its feature buffers, free of noise, and the hit for `shade`.
+// primary: one ray through the same place of every pixel; its feature buffers, free of noise, and the hit for `shade`.
 // Paper:  Koskela et al. 2019, section 3 (the rasterised primary ray of their path tracer).
 // Out:    packed float images of the components named below; 0 where the ray leaves the scene. Emitters have
 //         emission, normal and position only. motion: previous pixel minus current pixel (px; x right, y down), for

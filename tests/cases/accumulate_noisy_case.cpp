@@ -163,6 +163,13 @@ void AccumulateNoisyCase::useReprojection(const ReprojectionParams& reprojection
   m_reprojection = reprojection;
 }
 
+void AccumulateNoisyCase::giveAllObjects(float id) {
+  const float word = wordOf(id, m_harness.configuration().frame.objectId.format);
+  std::fill(m_objectIds.pixels.begin(), m_objectIds.pixels.end(), id);
+  std::fill(inputs.objectId.pixels.begin(), inputs.objectId.pixels.end(), word);
+  std::fill(inputs.objectIdsPrev.values.begin(), inputs.objectIdsPrev.values.end(), word);
+}
+
 void AccumulateNoisyCase::upload() {
   uploadFrame(m_harness, inputs);
   uploadImage(m_harness, &Frame::motion, inputs.motion);

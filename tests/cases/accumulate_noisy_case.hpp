@@ -38,6 +38,8 @@ class AccumulateNoisyCase : public StageCase {
   Comparison compare() override;
   double tolerance() const override { return kAccumulateNoisyTolerance; }
   AccumulateNoisyOutputs<float> outputs() const;
+  /// The caller gives every pixel this object id, in this frame and in the one before.
+  void giveAllObjects(float id);
   /// After inputs.reprojection was changed.
   void useReprojection(const ReprojectionParams& reprojection);
 

@@ -6,15 +6,20 @@ namespace quell::tests {
 namespace {
 
 constexpr double kBrightest = 8.0;       // radiance
-constexpr double kFadingFactor = 0.012;  // just above the factor from which on channels are filtered entirely
+constexpr double kFadingFactor = 0.012;  // just above the factor below which a channel is weak
 
+// In a quarter of the pixels most channels are black or nearly so.
 io::Image randomFactor(Size size, unsigned seed, double largest) {
   Random random(seed);
   io::Image image(size.width, size.height, 3);
-  for (float& value : image.pixels) {
-    const double kind = random.uniform();
-    value = kind < 0.05 ? 0.0f : float(random.uniform(0.0, kind < 0.2 ? kFadingFactor : largest));
-  }
+  forEachPixel(size, [&](int x, int y) {
+    const bool fades = random.uniform() < 0.25;
+    for (int c = 0; c < 3; ++c) {
+      const double kind = fades ? random.uniform() : 1.0;
+      image.at(x, y, c) =
+          kind < 0.2 ? 0.0f : float(random.uniform(0.0, kind < 0.8 ? kFadingFactor : largest));
+    }
+  });
   return image;
 }
 

@@ -28,7 +28,7 @@ constexpr MaterialVariant kUndividedMaterial{true, true, true, false, false, fal
 /// Views of the images that the variant has, all in one layout, and the setting that goes with it.
 void setMaterialViews(StageSetup& setup, const MaterialVariant& variant, const ImageLayout& layout);
 
-/// Random radiance; factors from 0 to 1 with many near 0, where demodulation fades out.
+/// Random radiance; factors from 0 to 1, in a quarter of the pixels near 0 in most channels, where they are weak.
 MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigned seed);
 
 std::vector<LightInput> lightOf(MaterialImages& images);

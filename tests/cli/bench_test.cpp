@@ -91,21 +91,21 @@ TEST_CASE("bench gives the output of denoise, and its errors, whatever runs besi
   const TemporaryDirectory directory;
   const std::string file = directory.file("bench.json"), alone = directory.file("denoise.json");
   REQUIRE(quell({"bench", "--methods", "bmfr", "--solver", "gram,householder", "--input", kData, "--frames",
-                 "4", "--repeat", "1", "--json", file}) == 0);
-  REQUIRE(quell({"denoise", "--method", "bmfr", "--input", kData, "--frames", "4-7", "--set",
+                 "12", "--repeat", "1", "--json", file}) == 0);
+  REQUIRE(quell({"denoise", "--method", "bmfr", "--input", kData, "--frames", "4-15", "--set",
                  "solver=householder", "--json", alone}) == 0);
   const json run = readJson(file).at("runs").at(1), denoised = readJson(alone);
   CHECK(run.at("output_hash") == denoised.at("output_hash"));
   CHECK(run.at("settings") == denoised.at("settings"));
   CHECK(run.at("errors") == denoised.at("errors"));
   CHECK(run.at("input") == kData);
-  CHECK(run.at("errors").at(0).at("frame") == 7);
+  CHECK(run.at("errors").at(0).at("frame") == 15);
 }
 
 TEST_CASE("bench writes a table whose lines are all alike", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.file("bench.csv"), report = directory.file("bench.json");
-  REQUIRE(quell({"bench", "--methods", "bmfr", "--input", kData, "--size", "64x48", "--frames", "4",
+  REQUIRE(quell({"bench", "--methods", "bmfr", "--input", kData, "--size", "64x48", "--frames", "12",
                  "--repeat", "1", "--csv", file, "--json", report}) == 0);
   const std::vector<std::string> table = lines(io::readFile(file));
   std::size_t expected = 1;  // the header
@@ -122,7 +122,8 @@ TEST_CASE("bench writes a table whose lines are all alike", "[cli]") {
     return std::count_if(table.begin(), table.end(), [&](const auto& line) { return contains(line, part); });
   };
   CHECK(count(",sum,sum of stages,") == 2);
-  CHECK(count(",error,frame 7 linear,") == 1);
+  CHECK(count(",error,frame 15 linear,") == 1);
+  CHECK(count(",centre,") == 3);  // noisy, linear and display
   CHECK(count("\"analytic room, seed 1\",bmfr,") > 0);
 }
 
@@ -229,8 +230,8 @@ TEST_CASE("bench adds roofline, build times, sweeps and a page", "[cli]") {
 
 TEST_CASE("bench puts pictures of every method into the page", "[cli]") {
   const TemporaryDirectory directory;
-  REQUIRE(quell({"bench", "--methods", "atrous", "--input", kData, "--frames", "4", "--repeat", "1", "--html",
-                 directory.path()}) == 0);
+  REQUIRE(quell({"bench", "--methods", "atrous", "--input", kData, "--frames", "12", "--repeat", "1",
+                 "--html", directory.path()}) == 0);
   const std::string page = io::readFile(directory.file("index.html"));
   for (const char* name : {"noisy", "reference", "atrous"})
     CHECK(

@@ -72,7 +72,7 @@ DRIVE = """<script>
 
 
 def make_page(tool, sequence, folder):
-    subprocess.run([tool, "bench", "--input", sequence, "--methods", "svgf,atrous", "--sweep", "taa", "--frames", "8",
+    subprocess.run([tool, "bench", "--input", sequence, "--methods", "svgf,atrous", "--sweep", "taa", "--frames", "12",
                     "--repeat", "1", "--html", folder, "--json", folder + "/results.json"], check=True, capture_output=True)
     with open(folder + "/index.html") as file:
         page = file.read()
@@ -83,7 +83,7 @@ def make_page(tool, sequence, folder):
 
 def check_comparison(tool, sequence, folder):
     """Outputs are deterministic: whatever the times, no figure of an equal run has changed."""
-    said = subprocess.run([tool, "bench", "--input", sequence, "--methods", "atrous", "--frames", "8", "--repeat", "1",
+    said = subprocess.run([tool, "bench", "--input", sequence, "--methods", "atrous", "--frames", "12", "--repeat", "1",
                            "--compare", folder + "/results.json"], check=True, capture_output=True, text=True).stdout
     assert "1 runs compared: " in said and "; 0 figures worse, 0 better" in said, said
 

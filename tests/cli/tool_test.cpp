@@ -1,12 +1,8 @@
 // The quell tool as a user runs it: files, reports and messages.
 #include "tests/support/tool.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -35,18 +31,8 @@ void writeTwoSignals(const std::string& directory) {
 }
 
 // What a command that fails prints to the error stream, by way of this file.
-std::string complaintOf(std::vector<std::string> arguments, const std::string& file) {
-  std::fflush(stderr);
-  const int before = dup(STDERR_FILENO);
-  const int text = open(file.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
-  dup2(text, STDERR_FILENO);
-  const int code = quell(std::move(arguments));
-  std::fflush(stderr);
-  dup2(before, STDERR_FILENO);
-  close(text);
-  close(before);
-  CHECK(code == 1);
-  return io::readFile(file);
+std::string complaintOf(const std::vector<std::string>& arguments, const std::string& file) {
+  return errorStreamOf(arguments, 1, file);
 }
 
 }  // namespace
@@ -82,6 +68,8 @@ TEST_CASE("denoise writes frames, pictures and a report", "[cli]") {
     CHECK(stage.at("bytes").get<double>() > 0.0);
   }
   CHECK(report.at("errors").at(0).at("frame") == 15);
+  CHECK(report.at("errors").at(0).at("linear_reference") == "centre");
+  CHECK(report.at("errors").at(0).at("display_reference") == "centre");
 }
 
 TEST_CASE("denoise dumps intermediate buffers", "[cli]") {

@@ -46,12 +46,14 @@ Settings settingsOf(const std::string& method) {
 }  // namespace
 
 TEST_CASE("a history holds what the latest frame has left, whichever side that is on", "[core]") {
-  SmallDenoiser small;
+  Settings settings;
+  settings.set("jitteredRays", "on");
+  SmallDenoiser small({}, testOptions(), 0, settings);
   for (int number = 0; number < 3; ++number) {
     const Picture picture = small.run(number);
     const BufferContent content = small.denoiser.readBuffer("antialiased");
     CHECK(content.name == "antialiased");
-    CHECK(pixelsOf(content) == picture.display.pixels);
+    CHECK(pixelsOf(content) == picture.linear.pixels);
   }
 }
 
@@ -59,10 +61,10 @@ TEST_CASE("a kept buffer holds its content although later stages have run", "[co
   Settings plain;
   plain.set("taa", "off");
   SmallDenoiser expected({}, testOptions(), 0, plain);
-  SmallDenoiser small({}, keeping({"encoded", "irradiance"}));
+  SmallDenoiser small({}, keeping({"denoised", "irradiance"}));
   for (int number = 0; number < 3; ++number) {
     small.run(number);
-    CHECK(pixelsOf(small.denoiser.readBuffer("encoded")) == expected.run(number).display.pixels);
+    CHECK(pixelsOf(small.denoiser.readBuffer("denoised")) == expected.run(number).linear.pixels);
   }
 }
 
@@ -97,23 +99,23 @@ TEST_CASE("all buffers of every method may be kept, at the cost of memory alone"
 }
 
 TEST_CASE("buffers that are unknown, not kept or not there yet are refused", "[core]") {
-  SmallDenoiser small({}, keeping({"encoded"}));
+  SmallDenoiser small({}, keeping({"denoised"}));
   const auto read = [&](const char* name) { return [&, name] { small.denoiser.readBuffer(name); }; };
-  const Refusal early{ErrorCode::NotPrepared, "readBuffer", "encoded", "a frame", "none"};
-  checkRefused(early, read("encoded"));
+  const Refusal early{ErrorCode::NotPrepared, "readBuffer", "denoised", "a frame", "none"};
+  checkRefused(early, read("denoised"));
   small.run(0);
-  CHECK_NOTHROW(read("encoded")());
+  CHECK_NOTHROW(read("denoised")());
   checkRefused({ErrorCode::InvalidArgument, "readBuffer", "variance", "keptBuffers", "share"},
                read("variance"));
   checkRefused({ErrorCode::InvalidArgument, "readBuffer", "name", "antialiased", "nothing"}, read("nothing"));
   small.denoiser.resetHistory();
-  checkRefused(early, read("encoded"));
+  checkRefused(early, read("denoised"));
 }
 
 TEST_CASE("prepare() refuses to keep what the method does not have and says what it has", "[core]") {
   OpenDevice device;
   const FrameBuffers buffers(device, {});
-  Denoiser denoiser(device.context, device.device, device.queue, Settings(), keeping({"encoded", "nothing"}));
+  Denoiser denoiser(device.context, device.device, device.queue, Settings(), keeping({"denoised", "nothing"}));
   CHECK(denoiser.bufferNames().empty());
   const auto prepare = [&] { denoiser.prepare(buffers.frame, buffers.output); };
   checkRefused({ErrorCode::InvalidArgument, "prepare", "options.keptBuffers", "antialiased", "nothing"},

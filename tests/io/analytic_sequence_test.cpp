@@ -1,5 +1,4 @@
-// The built-in sequence keeps the buffer contract, repeats itself exactly, and its noise averages to its
-// reference.
+// The built-in sequence keeps the buffer contract and repeats itself exactly.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -19,6 +18,7 @@ using quell::io::FrameData;
 using quell::io::FrameSequence;
 using quell::io::Image;
 using quell::io::makeAnalyticSequence;
+using quell::io::ReferenceKind;
 using Vec3 = std::array<double, 3>;
 
 namespace {
@@ -46,7 +46,7 @@ std::array<double, 2> project(const Matrix4& m, const Vec3& p, int width, int he
   return {(clip(0) / clip(3) * 0.5 + 0.5) * width, (0.5 - clip(1) / clip(3) * 0.5) * height};
 }
 
-/// Largest distance in pixels between any surface pixel's centre and its position seen through `m`.
+/// Largest distance in pixels between where any surface pixel was sampled and its position seen through `m`.
 double largestMiss(const FrameData& data, const Matrix4& m) {
   double largest = 0.0;
   for (int y = 0; y < data.normalWorld.height; ++y) {
@@ -54,7 +54,8 @@ double largestMiss(const FrameData& data, const Matrix4& m) {
       if (lengthOf(pixelOf(data.normalWorld, x, y)) == 0.0) continue;
       const auto at =
           project(m, pixelOf(data.positionWorld, x, y), data.normalWorld.width, data.normalWorld.height);
-      largest = std::max(largest, std::hypot(at[0] - x - 0.5, at[1] - y - 0.5));
+      largest = std::max(largest, std::hypot(at[0] - x - 0.5 - data.camera.jitterPx[0],
+                                             at[1] - y - 0.5 - data.camera.jitterPx[1]));
     }
   }
   return largest;
@@ -98,30 +99,6 @@ void requireContract(const FrameData& data, int x, int y) {
   for (const double value : pixelOf(data.radiance, x, y)) REQUIRE((std::isfinite(value) && value >= 0.0));
 }
 
-// Radiance of sky and lamp is the same in each frame but for the rounding of the sums.
-constexpr double kNoiseFreeVariance = 1e-9;
-
-/// Mean and variance of each value over all frames.
-struct Moments {
-  std::vector<double> mean;
-  std::vector<double> variance;
-};
-
-Moments momentsOfRadiance(const FrameSequence& sequence, std::size_t valueCount) {
-  Moments moments{std::vector<double>(valueCount, 0.0), std::vector<double>(valueCount, 0.0)};
-  const std::vector<int> frames = sequence.frames();
-  for (const int frame : frames) {
-    const FrameData data = sequence.read(frame);
-    for (std::size_t i = 0; i < valueCount; ++i) {
-      const double value = data.radiance.pixels[i];
-      moments.mean[i] += value / double(frames.size());
-      moments.variance[i] += value * value / double(frames.size());  // about zero, for now
-    }
-  }
-  for (std::size_t i = 0; i < valueCount; ++i) moments.variance[i] -= moments.mean[i] * moments.mean[i];
-  return moments;
-}
-
 }  // namespace
 
 TEST_CASE("analytic sequence: every pixel keeps the contract, at any size", "[io]") {
@@ -162,6 +139,19 @@ TEST_CASE("analytic sequence: positions project to their pixel's centre", "[io]"
   const auto sequence = makeAnalyticSequence(optionsOfSize(320, 180));
   for (const int frame : {0, 1, 15}) {
     const FrameData data = sequence->read(frame);
+    REQUIRE(largestMiss(data, data.camera.worldToClip) < 0.01);
+  }
+}
+
+TEST_CASE("analytic sequence: jittered rays say so, and positions project to where they went", "[io]") {
+  AnalyticOptions options = optionsOfSize(160, 90);
+  REQUIRE_FALSE(makeAnalyticSequence(options)->jittered());
+  options.jitter = true;
+  const auto sequence = makeAnalyticSequence(options);
+  REQUIRE(sequence->jittered());
+  for (const int frame : {0, 5}) {
+    const FrameData data = sequence->read(frame);
+    REQUIRE(isJittered(data.camera));
     REQUIRE(largestMiss(data, data.camera.worldToClip) < 0.01);
   }
 }
@@ -231,46 +221,6 @@ TEST_CASE("analytic sequence: a world offset moves positions and camera, nothing
   }
 }
 
-TEST_CASE("analytic sequence: the noise averages to the reference", "[io]") {
-  // Many frames of few pixels: where rare bright paths make the noise, fewer do not show its variance.
-  constexpr int kFrames = 8192;
-  AnalyticOptions options = optionsOfSize(12, 8);
-  options.threadCount = 1;  // frames this small are done before a second thread has started
-  options.movingCamera = false;
-  options.frameCount = kFrames;
-  options.referenceSamples = kFrames;
-  const auto sequence = makeAnalyticSequence(options);
-  const auto reference = sequence->reference(0);
-  REQUIRE(reference.has_value());
-  REQUIRE(reference->a.pixels != reference->b.pixels);
-
-  const Moments noisy = momentsOfRadiance(*sequence, reference->a.pixels.size());
-  double sumOfNormalised = 0.0;
-  int noisyValues = 0;
-  for (std::size_t i = 0; i < noisy.mean.size(); ++i) {
-    const double expected = 0.5 * (double(reference->a.pixels[i]) + double(reference->b.pixels[i]));
-    INFO("value " << i << ": mean " << noisy.mean[i] << ", reference " << expected << ", variance "
-                  << noisy.variance[i]);
-    if (noisy.variance[i] < kNoiseFreeVariance) {
-      REQUIRE(noisy.mean[i] == Approx(expected).epsilon(1e-6));
-      continue;
-    }
-    const double standardError =
-        std::sqrt(noisy.variance[i] * (1.0 / kFrames + 0.5 / options.referenceSamples));
-    // Chance of one wrong alarm among 288 normal values: 2e-4 at 5 standard errors.
-    REQUIRE(std::abs(noisy.mean[i] - expected) < 5.0 * standardError);
-    sumOfNormalised += (noisy.mean[i] - expected) / standardError;
-    ++noisyValues;
-  }
-  REQUIRE(noisyValues > 200);
-  // The three channels of a pixel move together, so there are a third as many independent values.
-  REQUIRE(std::abs(sumOfNormalised / noisyValues) < 4.0 / std::sqrt(noisyValues / 3.0));
-}
-
-TEST_CASE("analytic sequence: no reference unless asked for", "[io]") {
-  REQUIRE_FALSE(makeAnalyticSequence(optionsOfSize(8, 8))->reference(0).has_value());
-}
-
 TEST_CASE("analytic sequence: frames outside the sequence are refused", "[io][errors]") {
   const auto sequence = makeAnalyticSequence(optionsOfSize(8, 8));
   REQUIRE(sequence->frames().size() == 16);
@@ -279,7 +229,7 @@ TEST_CASE("analytic sequence: frames outside the sequence are refused", "[io][er
   REQUIRE_NOTHROW(sequence->read(15));
   for (const int frame : {-1, 16, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()}) {
     REQUIRE_THROWS_AS(sequence->read(frame), Error);
-    REQUIRE_THROWS_AS(sequence->reference(frame), Error);
+    REQUIRE_THROWS_AS(sequence->reference(frame, ReferenceKind::Centre), Error);
   }
 }
 

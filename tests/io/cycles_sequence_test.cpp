@@ -101,9 +101,42 @@ TEST_CASE("references are optional, and so is their second half") {
   files.add("ref_a_color", 5);
   files.add("ref_b_color", 5);
   const CyclesSequence sequence(files.directory.path());
-  REQUIRE_FALSE(sequence.reference(3).has_value());
-  REQUIRE(sequence.reference(4)->b.empty());
-  REQUIRE(samePixels(sequence.reference(5)->b, noiseImage(kWidth, kHeight, 3, 5)));
+  constexpr ReferenceKind kCentre = ReferenceKind::Centre;
+  REQUIRE_FALSE(sequence.hasReference(3, kCentre));
+  REQUIRE_THROWS_MATCHES(sequence.reference(3, kCentre), Error,
+                         failsWith(ErrorCode::InvalidArgument, {"reference, centre", "3"}));
+  REQUIRE_FALSE(sequence.hasReference(4, ReferenceKind::Antialiased));
+  REQUIRE(sequence.reference(4, kCentre).b.empty());
+  REQUIRE(samePixels(sequence.reference(5, kCentre).b, noiseImage(kWidth, kHeight, 3, 5)));
+}
+
+TEST_CASE(
+    "linear output is compared with pixel centres, display output of jittered rays with the antialiased") {
+  const SmallSequence files;
+  const auto kindsOf = [&](int frame) {
+    const CyclesSequence sequence(files.directory.path());
+    References references(sequence);
+    const auto& both = references.of(frame);
+    REQUIRE(both.has_value() == references.has(frame));
+    return both ? std::string(toString(both->linear.kind)) + ", " + toString(both->display().kind) : "none";
+  };
+  const auto jitter = [&] {
+    files.writeCamera("{\"frames\": [" + cameraEntry(3) + "," + cameraEntry(4, ", \"jitter_px\": [0.5, 0]") +
+                      "," + cameraEntry(5) + "]}");
+  };
+  REQUIRE(kindsOf(4) == "none");
+  files.add("ref_aa_a_color", 4);
+  files.add("ref_aa_a_color", 5);
+  REQUIRE(kindsOf(4) == "antialiased, antialiased");
+  files.add("ref_a_color", 5);
+  REQUIRE(kindsOf(5) == "centre, centre");
+  REQUIRE(kindsOf(4) == "none");  // one kind for a whole sequence, or figures could not be averaged
+  jitter();
+  REQUIRE(kindsOf(5) == "centre, antialiased");
+  REQUIRE(kindsOf(4) == "none");
+  files.remove("ref_aa_a_color", 5);
+  files.remove("ref_aa_a_color", 4);
+  REQUIRE(kindsOf(5) == "centre, centre");
 }
 
 TEST_CASE("a gap in the frames is named") {

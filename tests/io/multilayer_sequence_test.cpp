@@ -1,10 +1,5 @@
 #include "host/io/multilayer_sequence.hpp"
 
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfOutputFile.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -15,6 +10,7 @@
 #include "host/io/atomic_file.hpp"
 #include "host/io/multilayer_camera.hpp"
 #include "tests/support/error_matcher.hpp"
+#include "tests/support/multilayer_files.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/test_images.hpp"
 
@@ -26,95 +22,9 @@ using quell::tests::failsWith;
 using quell::tests::noiseImage;
 using quell::tests::samePixels;
 using quell::tests::TemporaryDirectory;
+using namespace quell::tests::multilayer;
 
 namespace {
-
-constexpr int kWidth = 61, kHeight = 40;
-
-// Pass name to its image; the channels follow from the name.
-using Passes = std::map<std::string, Image>;
-
-std::vector<std::string> channelNames(const std::string& pass, int channels) {
-  if (pass == "Depth") return {"Z"};
-  if (channels == 3 && pass != "Normal" && pass != "Position") return {"R", "G", "B"};
-  const std::vector<std::string> names = {"X", "Y", "Z", "W"};
-  return {names.begin(), names.begin() + channels};
-}
-
-void addPasses(const std::string& layer, const Passes& passes, Imf::Header& header,
-               Imf::FrameBuffer& buffer) {
-  for (const auto& [pass, image] : passes) {
-    const std::vector<std::string> names = channelNames(pass, image.channels);
-    const std::size_t stride = names.size() * sizeof(float);
-    for (std::size_t c = 0; c < names.size(); ++c) {
-      const std::string name = layer + "." + pass + "." + names[c];
-      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-      char* pixels = reinterpret_cast<char*>(const_cast<float*>(image.pixels.data() + c));
-      buffer.insert(name, Imf::Slice(Imf::FLOAT, pixels, stride, stride * std::size_t(image.width)));
-    }
-  }
-}
-
-void writeMultilayer(const std::string& path, const Passes& passes, const std::string& layer = "View Layer") {
-  const Image& any = passes.begin()->second;
-  Imf::Header header(any.width, any.height);
-  Imf::FrameBuffer buffer;
-  addPasses(layer, passes, header, buffer);
-  Imf::OutputFile file(path.c_str(), header);
-  file.setFrameBuffer(buffer);
-  file.writePixels(any.height);
-}
-
-double clipRow(const Matrix4& m, std::size_t row, const Image& position, int x, int y) {
-  double sum = m[4 * row + 3];
-  for (std::size_t axis = 0; axis < 3; ++axis) sum += m[4 * row + axis] * position.at(x, y, int(axis));
-  return sum;
-}
-
-bool isSky(const FrameData& frame, int x, int y) {
-  return frame.normalWorld.at(x, y, 0) == 0.0f && frame.normalWorld.at(x, y, 1) == 0.0f &&
-         frame.normalWorld.at(x, y, 2) == 0.0f;
-}
-
-Image depthOf(const FrameData& frame) {
-  const Matrix4& m = frame.camera.worldToClip;
-  const double unit = std::sqrt(m[12] * m[12] + m[13] * m[13] + m[14] * m[14]);
-  Image depth(kWidth, kHeight, 1, 1e10f);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
-      if (!isSky(frame, x, y)) depth.at(x, y, 0) = float(clipRow(m, 3, frame.positionWorld, x, y) / unit);
-  return depth;
-}
-
-std::unique_ptr<FrameSequence> builtIn() {
-  AnalyticOptions options;
-  options.width = kWidth;
-  options.height = kHeight;
-  return makeAnalyticSequence(options);
-}
-
-Passes passesOf(const FrameData& frame) {
-  return {{"Combined", frame.radiance},      {"Normal", frame.normalWorld}, {"Position", frame.positionWorld},
-          {"Depth", depthOf(frame)},         {"DiffCol", frame.albedo},     {"Emit", frame.emission},
-          {"Env", Image(kWidth, kHeight, 3)}};
-}
-
-// Largest distance of projected positions from where they should be, pixels.
-double projectionError(const Matrix4& matrix, const Matrix4& expected, const FrameData& frame) {
-  double worst = 0.0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      if (isSky(frame, x, y)) continue;
-      const auto pixel = [&](const Matrix4& m, std::size_t row, int size) {
-        return 0.5 * size * clipRow(m, row, frame.positionWorld, x, y) /
-               clipRow(m, 3, frame.positionWorld, x, y);
-      };
-      worst = std::max({worst, std::abs(pixel(matrix, 0, kWidth) - pixel(expected, 0, kWidth)),
-                        std::abs(pixel(matrix, 1, kHeight) - pixel(expected, 1, kHeight))});
-    }
-  }
-  return worst;
-}
 
 std::string matrixText(const Matrix4& m) {
   std::string text = "[";
@@ -142,7 +52,7 @@ TEST_CASE("a multilayer file is read as a sequence of one frame, with the camera
   REQUIRE(sequence->frames() == std::vector<int>{12});
   REQUIRE(sequence->width() == kWidth);
   REQUIRE(sequence->height() == kHeight);
-  REQUIRE_FALSE(sequence->reference(12).has_value());
+  REQUIRE_FALSE(sequence->hasReference(12, ReferenceKind::Centre));
   const FrameData frame = sequence->read(12);
   REQUIRE(frame.number == 12);
   REQUIRE_FALSE(frame.demodulated);
@@ -254,25 +164,42 @@ TEST_CASE("passes and layers that are missing are named") {
                          failsWith(ErrorCode::FileError, {"one view layer", "Back, Front"}));
 }
 
-TEST_CASE("no camera follows from a plane, from nothing, or from depth that does not fit") {
-  const FrameData frame = builtIn()->read(3);
-  const Image depth = depthOf(frame);
-  REQUIRE(findCamera(frame.positionWorld, depth).has_value());
-  REQUIRE_FALSE(findCamera(frame.positionWorld, Image(kWidth, kHeight, 1, 1e10f)).has_value());
-  REQUIRE_FALSE(findCamera(frame.positionWorld, noiseImage(kWidth, kHeight, 1, 3)).has_value());
-  Image plane(kWidth, kHeight, 3);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      plane.at(x, y, 0) = float(x);
-      plane.at(x, y, 1) = float(y);
-    }
-  REQUIRE_FALSE(findCamera(plane, Image(kWidth, kHeight, 1, 5.0f)).has_value());
-
+TEST_CASE("a frame from which no camera follows goes on with the last one, and says so") {
   const TemporaryDirectory directory;
-  Passes passes = passesOf(frame);
-  passes["Position"] = plane;
-  passes["Depth"] = Image(kWidth, kHeight, 1, 5.0f);
+  const auto original = builtIn();
+  for (int number = 1; number <= 5; ++number) {
+    Passes passes = passesOf(original->read(number));
+    if (number == 1 || number == 3) passes["Depth"] = Image(kWidth, kHeight, 1, 1e10f);  // sky alone
+    writeMultilayer(directory.file("000" + std::to_string(number) + ".exr"), passes);
+  }
+  const auto sequence = openSequence(directory.path());
+  const auto cameraOf = [&](int frame) { return sequence->read(frame).camera.worldToClip; };
+  CHECK(cameraOf(3) == cameraOf(2));
+  CHECK(sequence->read(4).camera.worldToClipPrev == cameraOf(2));
+  CHECK(cameraOf(4) != cameraOf(2));
+  for (const int frame : {2, 4, 5}) CHECK(sequence->read(frame).warnings.empty());
+  const std::string file[] = {"0001.exr", "0003.exr"}, done[] = {"one made up", "that of frame 2"};
+  for (const int i : {0, 1}) {
+    const auto warnings = sequence->read(2 * i + 1).warnings;
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].kind == FrameWarning::Kind::Camera);
+    CHECK_THAT(warnings[0].file, Catch::Contains(file[i]));
+    CHECK_THAT(warnings[0].got, Catch::Contains("no surfaces"));
+    CHECK_THAT(warnings[0].remedy, Catch::Contains(done[i]) && Catch::Contains("camera.json"));
+  }
+}
+
+TEST_CASE("alpha of Combined is kept") {
+  const TemporaryDirectory directory;
+  Passes passes = passesOf(builtIn()->read(0));
   writeMultilayer(directory.file("0.exr"), passes);
-  REQUIRE_THROWS_MATCHES(openSequence(directory.path())->read(0), Error,
-                         failsWith(ErrorCode::FileError, {"camera.json", "one plane"}));
+  CHECK(openSequence(directory.path())->read(0).alpha.empty());
+  const Image rgba = noiseImage(kWidth, kHeight, 4, 3);
+  passes["Combined"] = rgba;
+  writeMultilayer(directory.file("0.exr"), passes);
+  const FrameData frame = openSequence(directory.path())->read(0);
+  REQUIRE(frame.alpha.channels == 1);
+  CHECK(frame.alpha.at(7, 9, 0) == rgba.at(7, 9, 3));
+  CHECK(frame.radiance.channels == 3);
+  CHECK(frame.radiance.at(7, 9, 2) == rgba.at(7, 9, 2));
 }

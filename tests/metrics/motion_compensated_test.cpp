@@ -100,19 +100,24 @@ TrackedFrame slidWall(int pixels, float brighter = 0.0f) {
 }
 
 TEST_CASE("what moves is followed by motion vectors where the object is the same") {
-  TrackedFrame before = slidWall(0);
+  const TrackedFrame before = slidWall(0);
   REQUIRE(errorOf(before, slidWall(9)) < 1e-5);
   REQUIRE(errorOf(before, slidWall(9, 0.1f)) == Approx(0.1).epsilon(1e-3));
   // Without ids the wall counts as standing still: as bright as nine pixels beside.
   TrackedFrame withoutIds = slidWall(9);
   withoutIds.objectId = Image();
   REQUIRE(errorOf(before, withoutIds) == Approx(0.02 * 9 * 2.0 * kDepth / kWidth).epsilon(1e-2));
-  // Another object was there before.
-  before.objectId = Image(kWidth, kHeight, 1, 8.0f);
-  MotionCompensatedErrorMeter meter;
-  meter.add(before);
-  meter.add(slidWall(9));
-  REQUIRE_FALSE(meter.mean().has_value());
+  // Another object was there before, or the same one's ids stand for two things, one in front of the other.
+  TrackedFrame other = before, nearer = before;
+  other.objectId = Image(kWidth, kHeight, 1, 8.0f);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) nearer.positionWorld.at(x, y, 2) = float(-0.8 * kDepth);
+  for (const TrackedFrame& unlike : {other, nearer}) {
+    MotionCompensatedErrorMeter meter;
+    meter.add(unlike);
+    meter.add(slidWall(9));
+    REQUIRE_FALSE(meter.mean().has_value());
+  }
 }
 
 TEST_CASE("the motion-compensated error needs images of one size") {

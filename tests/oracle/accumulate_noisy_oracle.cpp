@@ -37,7 +37,7 @@ class PixelOracle {
 
   bool undecided = false;
 
-  Surface surface() { return surfaceAt(m_inputs, m_x, m_y, undecided); }
+  Surface surface() { return filteredSurfaceAt(m_inputs, m_x, m_y, undecided); }
 
   Place previous(const Surface& s) {
     if (m_params.historyValid == 0) return {};
@@ -49,8 +49,7 @@ class PixelOracle {
         m_inputs.objectIdsPrev.at(0, tap.x, tap.y) != m_inputs.objectId.at(m_x, m_y, 0))
       return false;
     if (!sameNormal(s, tap)) return false;
-    if (m_inputs.motion.empty()) return nearPosition(s, tap);
-    return !m_inputs.objectId.empty() || nearDepth(s, tap);
+    return m_inputs.motion.empty() ? nearPosition(s, tap) : nearDepth(s, tap);
   }
 
   // Frames that history may reach back along a surface that turns; `normalPrev` is the mean over the taps of the
@@ -189,30 +188,39 @@ double newestWeight(bool present, const History& history, double leastWeight) {
 // Rec. 709.
 double luminance(const Vector3d& rgb) { return Vector3d(0.2126, 0.7152, 0.0722).dot(rgb); }
 
-void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int y, const Irradiance& sample,
+// A pixel that is not filtered needs none.
+History withoutSamples(const History& history) {
+  History none;
+  none.mask = history.mask;
+  return none;
+}
+
+void storeSignal(AccumulateNoisyOutputs<double>& outputs, int signal, int x, int y, const Vector3d& sample,
                  bool present, const History& history, const AccumulateNoisyInputs& inputs) {
   const double blend = newestWeight(present, history, inputs.leastWeight);
-  const Vector3d blended = blend * sample.value + (1.0 - blend) * history.irradiance;
+  const Vector3d blended = blend * sample + (1.0 - blend) * history.irradiance;
   for (int c = 0; c < 3; ++c) {
     outputs.irradiance.at(3 * signal + c, x, y) = blended[c];
-    outputs.newestIrradiance.at(3 * signal + c, x, y) = present ? sample.value[c] : -1.0;
+    outputs.newestIrradiance.at(3 * signal + c, x, y) = present ? sample[c] : -1.0;
   }
   if (present && history.weight > 0.0) {
-    const auto step = sample.value - history.irradiance;
-    const int planes = QUELL_INNOVATION_PLANES * signal;
-    outputs.innovation.at(planes + QUELL_INNOVATION_LUMINANCE, x, y) = luminance(step);
-    outputs.innovation.at(planes + QUELL_INNOVATION_CHROMINANCE, x, y) = step[0] - step[2];
+    const Vector3d step = sample - history.irradiance;
+    const double rounding = QUELL_LEAST_INNOVATION * luminance(sample);
+    const auto store = [&](int plane, double difference) {
+      outputs.innovation.at(QUELL_INNOVATION_PLANES * signal + plane, x, y) =
+          std::abs(difference) > rounding ? difference : 0.0;
+    };
+    store(QUELL_INNOVATION_LUMINANCE, luminance(step));
+    store(QUELL_INNOVATION_CHROMINANCE, step[0] - step[2]);
   }
-  outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present                ? sample.weight
-                                                         : history.weight > 0.0 ? 1.0
-                                                                                : 0.0;
+  outputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = present || history.weight > 0.0 ? 1.0 : 0.0;
   outputs.historyLength.at(signal, x, y) = history.length + (present ? 1 : 0);
   outputs.reprojectionMask.at(signal, x, y) = history.mask;
   if (inputs.momentsLeastWeight == 0.0) return;
   const double momentsBlend = newestWeight(present, history, inputs.momentsLeastWeight);
   for (int i = 0; i < QUELL_MOMENT_PLANES; ++i)
     outputs.moments.at(QUELL_MOMENT_PLANES * signal + i, x, y) =
-        momentsBlend * std::pow(luminance(sample.value), i + 1) + (1.0 - momentsBlend) * history.moments[i];
+        momentsBlend * std::pow(luminance(sample), i + 1) + (1.0 - momentsBlend) * history.moments[i];
 }
 
 void storeSurface(AccumulateNoisyOutputs<double>& outputs, int x, int y, const Surface& surface,
@@ -247,14 +255,15 @@ AccumulateNoisyExact accumulateNoisyOracle(const AccumulateNoisyInputs& inputs, 
     const Place place = oracle.previous(surface);
     for (int signal = 0; signal < signals; ++signal) {
       const Material material = materialAt(inputs.material, x, y, signal);
-      const Irradiance sample = demodulate(material);
       const double xPrev = pixelPrev.at(0, x, y), yPrev = pixelPrev.at(1, x, y);
       const int mostFrames = xPrev == x && yPrev == y ? inputs.mostFramesStill : inputs.mostFrames;
-      const History history =
+      History history =
           place.inside ? gatherHistory(inputs, oracle, surface, signal, xPrev, yPrev, mostFrames) : History();
-      const bool present = material.finite && sample.weight > 0.0 && surface.valid;
-      storeSignal(exact.outputs, signal, x, y, sample, present, history, inputs);
-      oracle.undecided = oracle.undecided || factorUndecided(material);
+      const bool passes = material.passesThrough(history.weight > 0.0);
+      if (passes) history = withoutSamples(history);
+      const bool present = material.finite && surface.valid && !passes;
+      storeSignal(exact.outputs, signal, x, y, material.irradiance(), present, history, inputs);
+      oracle.undecided = oracle.undecided || material.undecided;
     }
     storeSurface(exact.outputs, x, y, surface, inputs);
     exact.outputs.pixelPrev.at(0, x, y) = place.pixel.x();

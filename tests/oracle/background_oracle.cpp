@@ -29,7 +29,10 @@ BackgroundExact backgroundOracle(const BackgroundInputs& inputs) {
           emissionWhole ? std::clamp<double>(inputs.emission.at(x, y, c), 0.0, kMostRadiance) : 0.0;
       const double signal =
           whole ? std::clamp(inputs.radiance.at(x, y, c) - emission, 0.0, kMostRadiance) : 0.0;
-      const double radiance = std::min(signal + emission, kMostRadiance);
+      // Emission is added back as far as radiance has it.
+      const double included =
+          whole ? std::min<double>(emission, std::max(inputs.radiance.at(x, y, c), 0.0f)) : emission;
+      const double radiance = std::min(signal + included, kMostRadiance);
       exact.linear.at(c, x, y) = radiance;
       exact.encoded.at(c, x, y) = encodeDisplayExact(radiance);
     }

@@ -11,14 +11,13 @@ DemodulateExact demodulateOracle(const FrameImages& frame) {
                         ExactPlanes(size, 1), ExactPlanes(size, 1), BasicPlanes<char>(size, 1)};
   forEachPixel(size, [&](int x, int y) {
     bool undecided = false;
-    const Surface surface = surfaceAt(frame, x, y, undecided);
+    const Surface surface = filteredSurfaceAt(frame, x, y, undecided);
     for (int signal = 0; signal < signals; ++signal) {
       const Material material = materialAt(frame.material, x, y, signal);
-      const Irradiance sample = demodulate(material);
-      undecided = undecided || factorUndecided(material);
-      if (!material.finite || !surface.valid || sample.weight == 0.0) continue;
-      for (int c = 0; c < 3; ++c) exact.irradiance.at(3 * signal + c, x, y) = sample.value[c];
-      exact.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = sample.weight;
+      undecided = undecided || material.undecided;
+      if (!material.finite || !surface.valid || material.passesThrough(false)) continue;
+      for (int c = 0; c < 3; ++c) exact.irradiance.at(3 * signal + c, x, y) = material.irradiance()[c];
+      exact.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) = 1.0;
     }
     for (int axis = 0; axis < 3; ++axis) {
       exact.guides.at(QUELL_GUIDE_POSITION + axis, x, y) = surface.position[axis];

@@ -2,22 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kernels/common/types.h"
 
 namespace quell::tests {
 namespace {
 
-constexpr double kFullFactor = 0.01;   // reflectance from which on a channel is filtered entirely
-constexpr double kLeastFactor = 1e-6;  // least divisor, reflectance
+constexpr double kLeastFactor = 0.01, kMostFactor = 2.0;  // reflectance that light is divided by
+constexpr double kNoiselessDifference = 0.01;             // share of the brightest channel
+constexpr int kNoiselessNeighbours = 2;                   // of four
 constexpr double kFloatRounding = 1e-6;
 
 Vector3d cleanFactor(const Vector3d& factor) {
   return factor.unaryExpr(
       [](double f) { return std::isfinite(f) && f > 0.0 ? std::min<double>(f, QUELL_MAX_RADIANCE) : 0.0; });
 }
-
-double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
 // What tints this signal; 1 where the image is absent.
 Vector3d colorAt(const MaterialImages& images, int x, int y, int signal) {
@@ -36,6 +36,48 @@ Vector3d colorAt(const MaterialImages& images, int x, int y, int signal) {
   return any ? color : Vector3d::Ones();
 }
 
+// Whether emitters are to be found by their colour.
+bool emittersAreUnknown(const MaterialImages& images) {
+  return images.emission.empty() && images.divide && !images.demodulated;
+}
+
+// Whether the nearest pixels have the same light.
+bool isNoiseless(const io::Image& radiance, int x, int y, bool& undecided) {
+  const Vector3d light = rgbAt(radiance, x, y).cwiseMax(0.0).cwiseMin(double(QUELL_MAX_RADIANCE));
+  const double most = kNoiselessDifference * light.maxCoeff();
+  int alike = 0;
+  for (const auto& [dx, dy] : {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)}) {
+    if (x + dx < 0 || x + dx >= radiance.width || y + dy < 0 || y + dy >= radiance.height) continue;
+    const Vector3d difference = rgbAt(radiance, x + dx, y + dy) - light;
+    if (!difference.allFinite()) continue;
+    const double largest = difference.cwiseAbs().maxCoeff();
+    undecided = undecided || std::abs(largest - most) <= kFloatRounding * light.maxCoeff();
+    if (largest <= most) ++alike;
+  }
+  return light.maxCoeff() > 0.0 && alike >= kNoiselessNeighbours;
+}
+
+// Bounds of what divides a signal, and whether it is to be filtered at all.
+void divide(Material& material, const MaterialImages& images, const Vector3d& factor, int x, int y,
+            int signal) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double channel = factor[Eigen::Index(c)];
+    material.weak[c] = channel < kLeastFactor;
+    material.undecided =
+        material.undecided || std::abs(channel - kLeastFactor) < kFloatRounding * kLeastFactor;
+  }
+  material.fillsWeak = images.signals() == 2 && !material.vanishes();
+  if (!material.vanishes()) {
+    material.divisor = factor.cwiseMax(kLeastFactor).cwiseMin(kMostFactor);
+    return;
+  }
+  const bool dark = material.signal.maxCoeff() == 0.0;
+  material.faint = images.signals() == 2 && (dark || factor.maxCoeff() > 0.0);
+  material.emits = material.emission.maxCoeff() > 0.0;
+  if (!material.emits && signal == 0 && emittersAreUnknown(images))
+    material.emits = isNoiseless(images.radiance, x, y, material.undecided);
+}
+
 }  // namespace
 
 Vector3d rgbAt(const io::Image& image, int x, int y) {
@@ -45,6 +87,19 @@ Vector3d rgbAt(const io::Image& image, int x, int y) {
   return rgb;
 }
 
+Vector3d Material::irradiance() const {
+  Vector3d value = signal.cwiseQuotient(divisor);
+  if (!fillsWeak) return value;
+  double sum = 0.0, count = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    sum += weak[c] ? 0.0 : value[Eigen::Index(c)];
+    count += weak[c] ? 0.0 : 1.0;
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+    if (weak[c]) value[Eigen::Index(c)] = sum / count;
+  return value;
+}
+
 Material materialAt(const MaterialImages& images, int x, int y, int signal) {
   Material material;
   const Vector3d radiance = rgbAt(signal == 0 ? images.radiance : images.glossyRadiance, x, y);
@@ -52,6 +107,9 @@ Material materialAt(const MaterialImages& images, int x, int y, int signal) {
   Vector3d emission = emits ? rgbAt(images.emission, x, y) : Vector3d::Zero();
   if (emission.allFinite()) emission = emission.cwiseMax(0.0).cwiseMin(double(QUELL_MAX_RADIANCE));
   material.finite = radiance.allFinite() && emission.allFinite();
+  // What is added back is no more than what was there.
+  if (emission.allFinite() && radiance.allFinite() && !images.demodulated)
+    emission = emission.cwiseMin(radiance.cwiseMax(0.0));
   if (emission.allFinite()) material.emission = emission;
   const Vector3d light = images.demodulated ? radiance : Vector3d(radiance - emission);
   if (material.finite) material.signal = light.cwiseMax(0.0).cwiseMin(QUELL_MAX_RADIANCE);
@@ -59,29 +117,9 @@ Material materialAt(const MaterialImages& images, int x, int y, int signal) {
   if (images.demodulated) {
     material.tint = color;
   } else if (images.divide) {
-    material.factor = color;
+    divide(material, images, color, x, y, signal);
   }
   return material;
-}
-
-Vector3d filteredShare(const Vector3d& factor) {
-  return factor.unaryExpr(
-      [](double f) { return f < kLeastFactor ? 0.0 : smoothstep(std::clamp(f / kFullFactor, 0.0, 1.0)); });
-}
-
-Irradiance demodulate(const Material& material) {
-  const Vector3d share = filteredShare(material.factor);
-  const Vector3d divided =
-      material.signal.cwiseQuotient(material.factor.cwiseMax(kLeastFactor)).cwiseMin(QUELL_MAX_RADIANCE);
-  const double best = share.maxCoeff();
-  if (best == 0.0) return {Vector3d::Zero(), 0.0};
-  // A channel that tells nothing about the light takes the mean of those that do.
-  const double grey = divided.dot(share) / share.sum();
-  return {Vector3d::Constant(grey) + (divided - Vector3d::Constant(grey)).cwiseProduct(share) / best, best};
-}
-
-bool factorUndecided(const Material& material) {
-  return ((material.factor.array() - kLeastFactor).abs() < kFloatRounding * kLeastFactor).any();
 }
 
 }  // namespace quell::tests

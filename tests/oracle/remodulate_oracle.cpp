@@ -22,12 +22,12 @@ struct Remodulated {
   double magnitude;
 };
 
-Remodulated remodulate(const Material& material, bool surface, const Vector3d& filtered) {
-  const Vector3d product = material.factor.cwiseProduct(filtered);
-  const Vector3d share = surface ? filteredShare(material.factor) : Vector3d::Zero();
-  const Vector3d blended =
-      share.cwiseProduct(product) + (Vector3d::Ones() - share).cwiseProduct(material.signal);
-  return {material.tint.cwiseProduct(blended),
+Remodulated remodulate(const Material& material, bool isFiltered, const Vector3d& filtered) {
+  const Vector3d product = material.divisor.cwiseProduct(filtered);
+  Vector3d light = isFiltered ? product : material.signal;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (material.fillsWeak && material.weak[c]) light[Eigen::Index(c)] = material.signal[Eigen::Index(c)];
+  return {material.tint.cwiseProduct(light),
           material.tint.maxCoeff() * std::max(material.signal.maxCoeff(), product.maxCoeff())};
 }
 
@@ -50,11 +50,13 @@ RemodulateExact remodulateOracle(const RemodulateInputs& inputs) {
     Vector3d sum = Vector3d::Zero();
     for (int signal = 0; signal < inputs.material.signals(); ++signal) {
       const Material material = materialAt(inputs.material, x, y, signal);
-      const Remodulated result = remodulate(material, surface, filteredAt(inputs, x, y, signal));
+      // What is there and has no weight is not to be filtered.
+      const bool counts = inputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) > 0.0f || !material.finite;
+      const Remodulated result = remodulate(material, surface && counts, filteredAt(inputs, x, y, signal));
       sum += material.emission + result.light;
       double& magnitude = exact.magnitude.at(0, x, y);
       magnitude = std::max({magnitude, result.magnitude, material.emission.cwiseAbs().maxCoeff()});
-      exact.undecided.at(0, x, y) |= char(factorUndecided(material));
+      exact.undecided.at(0, x, y) |= char(material.undecided);
     }
     for (int c = 0; c < 3; ++c) {
       exact.linear.at(c, x, y) = std::clamp<double>(sum[c], 0.0, QUELL_MAX_RADIANCE);

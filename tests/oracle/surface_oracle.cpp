@@ -21,12 +21,31 @@ Surface surfaceAt(const FrameImages& frame, int x, int y, bool& undecided) {
                          : Vector3d(position - linearPart(params.cameraHigh) - linearPart(params.cameraLow));
   const double length = surface.normal.squaredNorm();
   for (const double limit : {QUELL_MIN_NORMAL_SQUARED, QUELL_MAX_NORMAL_SQUARED})
-    undecided = undecided || std::abs(length - limit) <= kSurfaceRounding;
+    undecided = undecided || std::abs(length - limit) <= kSurfaceRounding * limit;
   surface.valid = surface.position.allFinite() &&
                   surface.position.cwiseAbs().maxCoeff() < QUELL_MAX_POSITION &&
                   length >= QUELL_MIN_NORMAL_SQUARED && length <= QUELL_MAX_NORMAL_SQUARED;
   if (!surface.valid) return Surface();
   surface.normal.normalize();
+  return surface;
+}
+
+Vector3d turnedNormal(const Vector3d& n, const std::array<bool, 3>& weak) {
+  const Vector3d onlyRed(n[1], -n[2], n[0]), onlyGreen(n[2], n[0], -n[1]);
+  const int count = weak[0] + weak[1] + weak[2];
+  if (count == 0) return n;
+  if (count == 3) return -n;
+  if (count == 1) return -onlyGreen;
+  return !weak[0] ? onlyRed : !weak[1] ? onlyGreen : Vector3d(-onlyRed);
+}
+
+Surface filteredSurfaceAt(const FrameImages& frame, int x, int y, bool& undecided) {
+  Surface surface = surfaceAt(frame, x, y, undecided);
+  if (frame.material.signals() == 2) return surface;
+  const Material only = materialAt(frame.material, x, y);
+  undecided = undecided || only.undecided;
+  const bool emits = only.vanishes() && only.emission.maxCoeff() > 0.0;
+  if (!emits) surface.normal = turnedNormal(surface.normal, only.weak);
   return surface;
 }
 

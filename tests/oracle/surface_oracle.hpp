@@ -25,6 +25,11 @@ struct Surface {
 /// Sets `undecided` where float and double may disagree about a normal's length.
 Surface surfaceAt(const FrameImages& frame, int x, int y, bool& undecided);
 
+/// A normal as filters and history see it: turned in one of six ways by the channels whose factor vanishes.
+Vector3d turnedNormal(const Vector3d& normal, const std::array<bool, 3>& weak);
+/// The surface as they see it.
+Surface filteredSurfaceAt(const FrameImages& frame, int x, int y, bool& undecided);
+
 /// Along the view axis.
 double viewDepthOf(const FrameImages& frame, const Surface& surface);
 /// 1 where it is not finite.

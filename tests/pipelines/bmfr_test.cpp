@@ -13,8 +13,8 @@ namespace quell::tests {
 namespace {
 
 // Error on data/colonnade, frame 15, measured on PoCL 3.1.
-constexpr double kDataUnbiasedRmse = 0.0995;
-constexpr double kDataSsim = 0.760;
+constexpr double kDataUnbiasedRmse = 0.1001;
+constexpr double kDataSsim = 0.768;
 // Ten kilometres, the distance at which a denoiser that uses raw float positions falls apart.
 constexpr std::array<double, 3> kFarAway = {7071.0, 7071.0, 10.0};
 
@@ -29,14 +29,13 @@ Settings withSetting(const std::string& name, const std::string& value) {
 TEST_CASE("bmfr denoises the sequence in data/ to its known error", "[pipelines]") {
   const auto sequence = io::openSequence(std::string(QUELL_DATA_DIR) + "/colonnade");
   const DenoisedSequence result = denoiseSequence(*sequence, sequence->frames());
-  const auto reference = sequence->reference(15);
-  REQUIRE(reference);
+  const auto reference = sequence->reference(15, io::ReferenceKind::Centre);
   const auto noisy =
-      metrics::compareToReference(sequence->read(15).radiance, false, reference->a, reference->b);
+      metrics::compareToReference(sequence->read(15).radiance, false, reference.a, reference.b);
   const auto linear =
-      metrics::compareToReference(result.frames.back().linear, false, reference->a, reference->b);
+      metrics::compareToReference(result.frames.back().linear, false, reference.a, reference.b);
   const auto display =
-      metrics::compareToReference(result.frames.back().display, true, reference->a, reference->b);
+      metrics::compareToReference(result.frames.back().display, true, reference.a, reference.b);
   INFO("noisy " << *noisy.at("rmse") << ", linear " << *linear.at("rmse") << " SSIM " << *linear.at("ssim")
                 << ", display " << *display.at("rmse"));
   // Measured when the method was finished: kept with 5 % of slack for other devices.
@@ -68,12 +67,12 @@ TEST_CASE("a scene ten kilometres from the origin denoises like one at the origi
   const DenoisedSequence nearResult = denoiseSequence(*near, firstFrames(frameCount));
   const DenoisedSequence farResult = denoiseSequence(*far, firstFrames(frameCount));
   CHECK(encodedRmse(nearResult.frames.back().linear, farResult.frames.back().linear) <= 5e-3);
-  const auto reference = near->reference(frameCount - 1);
+  const auto reference = near->reference(frameCount - 1, io::ReferenceKind::Centre);
   const double nearError =
-      *metrics::compareToReference(nearResult.frames.back().linear, false, reference->a, reference->b)
+      *metrics::compareToReference(nearResult.frames.back().linear, false, reference.a, reference.b)
            .at("unbiased_rmse");
   const double farError =
-      *metrics::compareToReference(farResult.frames.back().linear, false, reference->a, reference->b)
+      *metrics::compareToReference(farResult.frames.back().linear, false, reference.a, reference.b)
            .at("unbiased_rmse");
   INFO("unbiased RMSE near " << nearError << ", far " << farError);
   CHECK(farError < 1.01 * nearError);

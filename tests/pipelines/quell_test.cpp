@@ -13,7 +13,7 @@ namespace quell::tests {
 namespace {
 
 // Error on data/colonnade, frame 15, measured on PoCL 3.1.
-constexpr double kDataUnbiasedRmse = 0.0607;
+constexpr double kDataUnbiasedRmse = 0.0613;
 
 constexpr int kStepFrame = 8;  // from which on there is twice the light
 
@@ -108,11 +108,10 @@ void checkClean(const DenoisedSequence& result) {
 
 TEST_CASE("quell denoises the sequence in data/ better than svgf and bmfr", "[pipelines]") {
   const auto sequence = io::openSequence(std::string(QUELL_DATA_DIR) + "/colonnade");
-  const auto reference = sequence->reference(15);
-  REQUIRE(reference);
+  const auto reference = sequence->reference(15, io::ReferenceKind::Centre);
   const auto errorOf = [&](const char* method) {
     const auto result = denoiseSequence(*sequence, sequence->frames(), Settings(method));
-    return *metrics::compareToReference(result.frames.back().linear, false, reference->a, reference->b)
+    return *metrics::compareToReference(result.frames.back().linear, false, reference.a, reference.b)
                 .at("unbiased_rmse");
   };
   const double quell = errorOf("quell"), svgf = errorOf("svgf"), bmfr = errorOf("bmfr");

@@ -100,11 +100,13 @@ TEST_CASE("the length of normals does not matter", "[pipelines]") {
   const auto sequence = analyticSequence(97, 61, 3);
   for (const Run& run : allRuns()) {
     const io::Image unit = lastLinear(*sequence, 3, run.settings, {});
-    const io::Image scaled = lastLinear(*sequence, 3, run.settings, [](io::FrameData& frame) {
-      for (float& component : frame.normalWorld.pixels) component *= 0.7f;
-    });
-    INFO(run.name);
-    CHECK(encodedRmse(unit, scaled) < 1e-3);
+    for (const float length : {0.3f, 1e-3f, 100.0f}) {
+      const io::Image scaled = lastLinear(*sequence, 3, run.settings, [&](io::FrameData& frame) {
+        for (float& component : frame.normalWorld.pixels) component *= length;
+      });
+      INFO(run.name << ", length " << length);
+      CHECK(encodedRmse(unit, scaled) < 1e-3);
+    }
   }
 }
 

@@ -53,7 +53,7 @@ io::FrameData withoutSurfaces(io::FrameData frame) {
 
 double meanBorderRatio(const io::FrameSequence& sequence, const Settings& settings) {
   const io::FrameData frame = sequence.read(15);
-  const auto reference = sequence.reference(15);
+  const auto reference = sequence.reference(15, io::ReferenceKind::Centre);
   const Size size = {sequence.width(), sequence.height()};
   const bool overlap = settings.text("windows") == "overlap";
   const char* spec = std::getenv("QUELL_TEST_DEVICE");
@@ -64,7 +64,7 @@ double meanBorderRatio(const io::FrameSequence& sequence, const Settings& settin
     const int edge = overlap ? std::stoi(settings.text("tileSize")) : QUELL_BLOCK_EDGE;
     const GramParams tiles = makeGramParams({overlap, edge}, size, static_cast<std::uint32_t>(offset), 0.0);
     const Grid grid = {tiles.tileOffsetX, tiles.tileOffsetY, edge};
-    sum += borderRatio(session.denoise(frame).linear, *reference, grid);
+    sum += borderRatio(session.denoise(frame).linear, reference, grid);
   }
   return sum / kOffsets;
 }

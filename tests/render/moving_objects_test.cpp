@@ -148,16 +148,18 @@ TEST_CASE("with motion vectors moving objects are denoised as well as at rest", 
     check(moving.moved, method == "bmfr" ? 1.25 : 1.35);
   }
   // At rest the long history of quell gives errors that it cannot have in motion; there it is compared with svgf.
-  for (const std::vector<char>* pixels : {&moving.slow, &moving.moved}) {
+  const auto check = [&](const std::vector<char>& pixels, double most) {
     const auto error = [&](const std::string& method, cli::MotionUse motion) {
-      return errorOver(*pixels, moving, method, motion);
+      return errorOver(pixels, moving, method, motion);
     };
     const double followed = error("quell", cli::MotionUse::WherePresent);
     const double ofSvgf = error("svgf", cli::MotionUse::WherePresent);
     INFO("quell " << followed << ", svgf " << ofSvgf);
-    CHECK(followed < 1.1 * ofSvgf);
+    CHECK(followed < most * ofSvgf);
     CHECK(followed < error("quell", cli::MotionUse::Never));
-  }
+  };
+  check(moving.slow, 1.25);  // some fifty pixels, most of them at silhouettes
+  check(moving.moved, 1.0);
 }
 
 }  // namespace quell::tests

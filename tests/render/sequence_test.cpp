@@ -12,6 +12,9 @@
 #include "host/io/atomic_file.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/frame_sequence.hpp"
+#include "host/io/halton.hpp"
+#include "host/metrics/display_encoding.hpp"
+#include "host/metrics/error.hpp"
 #include "host/render/render_sequence.hpp"
 #include "tests/render/render_support.hpp"
 #include "tests/support/error_matcher.hpp"
@@ -40,6 +43,30 @@ int quell(std::vector<std::string> arguments) {
   return cli::runTool(static_cast<int>(argv.size()), argv.data());
 }
 
+// Largest distance between where a primary ray went and where its position projects, pixels.
+double worstOffSamplePx(const io::FrameData& frame) {
+  const io::Image& position = frame.positionWorld;
+  double worst = 0.0;
+  for (int y = 0; y < position.height; ++y) {
+    for (int x = 0; x < position.width; ++x) {
+      const glm::dvec3 p = pixel3(position, x, y);
+      if (pixel3(frame.normalWorld, x, y) == glm::dvec3(0.0)) continue;
+      const auto clip = [&](std::size_t r) {
+        const double* row = &frame.camera.worldToClip[4 * r];
+        return row[0] * p.x + row[1] * p.y + row[2] * p.z + row[3];
+      };
+      const double column = (0.5 + 0.5 * clip(0) / clip(3)) * position.width - frame.camera.jitterPx[0];
+      const double row = (0.5 - 0.5 * clip(1) / clip(3)) * position.height - frame.camera.jitterPx[1];
+      worst = std::max(worst, std::hypot(column - x - 0.5, row - y - 0.5));
+    }
+  }
+  return worst;
+}
+
+double encodedDifference(const io::Image& a, const io::Image& b) {
+  return metrics::rmse(metrics::encodeForDisplay(a), metrics::encodeForDisplay(b));
+}
+
 const std::vector<std::string> kBuffers = {
     "color",  "diffuse_irradiance", "glossy_radiance", "albedo",    "gloss_color",  "f0",       "emission",
     "motion", "shading_normal",     "world_position",  "roughness", "hit_distance", "object_id"};
@@ -60,14 +87,57 @@ TEST_CASE("a rendered directory is a sequence with references", "[render]") {
   CHECK(sequence->width() == 32);
   CHECK(sequence->height() == 18);
   CHECK(sequence->frames() == std::vector<int>{0, 1, 2});
-  CHECK_FALSE(sequence->reference(1).has_value());
-  REQUIRE(sequence->reference(2).has_value());
-  CHECK(sequence->reference(2)->a.pixels != sequence->reference(2)->b.pixels);
+  CHECK_FALSE(sequence->hasReference(1, io::ReferenceKind::Centre));
+  const io::Reference reference = sequence->reference(2, io::ReferenceKind::Centre);
+  CHECK(reference.a.pixels != reference.b.pixels);
   const io::FrameData first = sequence->read(1), second = sequence->read(2);
   CHECK(second.camera.worldToClipPrev == first.camera.worldToClip);
   CHECK(second.camera.worldToClip != first.camera.worldToClip);
   CHECK(second.hitDistance.channels == 1);
   CHECK(*std::max_element(second.hitDistance.pixels.begin(), second.hitDistance.pixels.end()) > 0.0f);
+}
+
+TEST_CASE("a jittered rendering says so and has both kinds of reference", "[render]") {
+  const TemporaryDirectory directory;
+  const std::string out = directory.file("out");
+  render::RenderOptions options = smallOptions(out);
+  options.settings.jitter = true;
+  CHECK(render::renderSequence(options).halvesRendered == 4);
+  const auto sequence = io::openSequence(out);
+  CHECK(sequence->jittered());
+  for (const int frame : sequence->frames()) {
+    const io::FrameData data = sequence->read(frame);
+    CHECK(data.camera.jitterPx == io::jitterPxOf(frame));
+    CHECK(worstOffSamplePx(data) < 0.01);
+  }
+  using Kind = io::ReferenceKind;
+  CHECK(sequence->reference(2, Kind::Antialiased).a.pixels !=
+        sequence->reference(2, Kind::Antialiased).b.pixels);
+  CHECK(sequence->reference(2, Kind::Antialiased).a.pixels != sequence->reference(2, Kind::Centre).a.pixels);
+  CHECK(render::renderSequence(options).halvesKept == 4);
+  options.settings.jitter = false;
+  REQUIRE_THROWS_MATCHES(render::renderSequence(options), Error,
+                         failsWith(ErrorCode::InvalidArgument, {"render.json", "jitter"}));
+}
+
+TEST_CASE("an antialiased picture is the mean over the pixel", "[render]") {
+  constexpr int kGrid = 8, kSamples = 8;
+  render::PathTracer tracer = makeTracer({32, 18});
+  render::Scene scene = render::makeScene(render::findScene("roughness"), 0);
+  io::Image mean(32, 18, 3);
+  const auto add = [&](std::array<double, 2> jitterPx, std::uint32_t seed, int samples, io::Image& sum) {
+    scene.camera.jitterPx = jitterPx;
+    const render::Features features = tracer.features(scene, scene);
+    const io::Image color = render::composeColor(features, tracer.light(seed, samples));
+    for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += color.pixels[i];
+  };
+  for (int i = 0; i < kGrid * kGrid; ++i)
+    add({(i % kGrid + 0.5) / kGrid - 0.5, (i / kGrid + 0.5) / kGrid - 0.5}, std::uint32_t(i), kSamples, mean);
+  for (float& value : mean.pixels) value /= kGrid * kGrid;
+  io::Image centre(32, 18, 3);
+  add({0.0, 0.0}, 99, kGrid * kGrid * kSamples, centre);
+  const io::Image antialiased = tracer.antialiased(scene, scene, 7, kGrid * kGrid * kSamples);
+  CHECK(encodedDifference(antialiased, mean) < 0.3 * encodedDifference(antialiased, centre));
 }
 
 TEST_CASE("color is what its parts add up to", "[render]") {

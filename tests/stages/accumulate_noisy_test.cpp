@@ -94,6 +94,9 @@ TEST_CASE("accumulate_noisy of two signals equals two runs of one") {
   CaseOptions options;
   options.size = {61, 40};
   AccumulateNoisyCase both(options, kEverything);
+  // A weak channel is another kind of pixel where it is the only signal's, but not where it is one of two signals'.
+  for (io::Image* factor : {&both.inputs.material.albedo, &both.inputs.material.glossColor})
+    for (float& value : factor->pixels) value = std::max(value, 0.02f);
   both.uploadAndRun();
   const auto expected = both.outputs();
   const MaterialVariant alone[] = {{true, true, false}, {false, false, true}};

@@ -123,7 +123,8 @@ TEST_CASE("change_weight is the same for light of any brightness") {
   const Planes expected = runWeights(change);
   CHECK(*std::max_element(expected.values.begin(), expected.values.end()) > 0.5f);
   const Planes sums = change.inputs.sums;
-  for (const float scale : {1.0f / 1024.0f, 1024.0f}) {
+  // From a ten-millionth of the usual light to a thousandfold.
+  for (const float scale : {1.0f / float(1 << 23), 1.0f / 1024.0f, 1024.0f}) {
     for (std::size_t i = 0; i < sums.values.size(); i += QUELL_CHANGE_RECORD) {
       for (std::size_t plane = 0; plane < QUELL_INNOVATION_PLANES; ++plane) {
         const std::size_t sum = i + QUELL_CHANGE_SUM(plane), squares = i + QUELL_CHANGE_SQUARES(plane);
@@ -232,7 +233,8 @@ TEST_CASE("change_weight is a weight for the most extreme sums") {
   options.size = {257, 89};
   ChangeWeightCase change(options);
   Random random(3);
-  const double means[] = {0.0, 1e-45, -1e-38, 1e-20, 65504.0, -65504.0};
+  constexpr double mostIrradiance = 65504.0 / 0.01;
+  const double means[] = {0.0, 1e-45, -1e-38, 1e-20, mostIrradiance, -mostIrradiance};
   const double counts[] = {0.0, 1.0, kFullTile, 100.0 * kFullTile};
   for (int tile = 0; tile < change.tileCount(); ++tile) {
     const double mean = means[random.integer(0, int(std::size(means)) - 1)];

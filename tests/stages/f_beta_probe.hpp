@@ -37,11 +37,8 @@ __kernel void surface(__global const float4* table, __global const float* in, __
                     loadLanes(in + 15 * count + i), loadLanes3(in + 6 * count, i, count));
   const float3L factor = cleanFactor3(multiply3(loadLanes3(in + 9 * count, i, count), fBeta));
   const float3L signal = loadLanes3(in + 12 * count, i, count);
-  floatL weight;
-  const float3L irradiance = divideSignal(signal, factor, &weight);
-  const float3L share = filteredShare3(factor);
-  const float3L back = add3(multiply3(share, multiply3(factor, irradiance)),
-                            multiply3(subtract3(splat3(1.0f), share), signal));
+  const float3L divisor = divisorOf(factor);
+  const float3L back = multiply3(divisor, divideBy(signal, divisor));
   storeLanes3(fBeta, out, i, count);
   storeLanes3(back, out + 3 * count, i, count);
 }

@@ -20,7 +20,7 @@ Eigen::Vector3d randomDirection(Random& random) {
 }
 
 // Planes of the kernel `surface`: camera-relative positions of any size, unit normals, F0 and gloss colour in [0, 1],
-// signals up to 316, so that no irradiance behind a factor of 0.01 or more is clamped.
+// signals up to 316.
 std::vector<float> randomSurfaces() {
   Random random(21);
   std::vector<float> planes(kSurfaces * kSurfacePlanes);
@@ -71,22 +71,16 @@ TEST_CASE("F_beta of a surface follows from position, normal, roughness and F0")
 TEST_CASE(
     "a signal divided by gloss colour times F_beta and multiplied again is the same to half precision") {
   constexpr double kHalfUlp = 1.0 / 2048;  // of half precision, relative
-  constexpr double kFullFactor = 0.01;     // channels with less are blended with the unfiltered signal
   const std::vector<float> in = randomSurfaces();
   for (const Mapping mapping : kMappings) {
     const std::vector<float> out =
         Probe(mapping, Shadowing::HeightCorrelated).run("surface", in, kSurfacePlanes, kResultPlanes);
     double largest = 0.0;
-    std::size_t compared = 0;
     for (std::size_t i = 0; i < kSurfaces; ++i) {
-      const Eigen::Vector3d factor = vectorAt(out, 0, i).cwiseProduct(vectorAt(in, 9, i));
-      if (factor.minCoeff() < kFullFactor) continue;
       const Eigen::Vector3d signal = vectorAt(in, 12, i), back = vectorAt(out, 3, i);
       largest = std::max(largest, ((back - signal).cwiseQuotient(signal)).cwiseAbs().maxCoeff());
-      ++compared;
     }
-    INFO("largest relative change " << largest << " in " << compared << " pixels");
-    CHECK(compared > kSurfaces / 2);
+    INFO("largest relative change " << largest);
     CHECK(largest <= kHalfUlp);
   }
 }

@@ -74,6 +74,26 @@ std::size_t acceptedAfter(AccumulateNoisyCase& noisy) {
   return accepted(noisy);
 }
 
+// Object ids of this frame and of the one before: of each object, of another object before, 0 or 1 everywhere.
+enum class Ids { Each, Other, Zero, One };
+
+// Pixels that find history where everything was far to the left in the frame before, beyond the limit of the position
+// test, though at the same pixel; and nearer by so much. Surfaces are 4 to 7 units away: a tenth of that counts as near.
+std::size_t acceptedOfMoved(const AccumulateNoisyVariant& variant, float nearer, Ids ids) {
+  CaseOptions options;
+  options.size = {61, 40};
+  AccumulateNoisyCase noisy(options, variant);
+  rest(noisy);
+  if (ids == Ids::Zero || ids == Ids::One) noisy.giveAllObjects(ids == Ids::One ? 1.0f : 0.0f);
+  if (ids == Ids::Other)
+    for (float& id : noisy.inputs.objectIdsPrev.values) id += 1.0f;
+  forEachPixel(noisy.size(), [&](int x, int y) {
+    noisy.inputs.guidesPrev.at(QUELL_GUIDE_POSITION, x, y) -= 5.0f;
+    noisy.inputs.guidesPrev.at(QUELL_GUIDE_POSITION + 2, x, y) += nearer;
+  });
+  return acceptedAfter(noisy);
+}
+
 }  // namespace
 
 TEST_CASE("accumulate_noisy follows motion vectors and object ids as its oracle does") {
@@ -155,29 +175,23 @@ TEST_CASE("accumulate_noisy under jitter finds what stands still at its own pixe
 }
 
 TEST_CASE("an object that moved loses its history by matrices and keeps it by motion vectors") {
-  const auto acceptedOf = [](const AccumulateNoisyVariant& variant, float moved, bool otherObject) {
-    CaseOptions options;
-    options.size = {61, 40};
-    AccumulateNoisyCase noisy(options, variant);
-    rest(noisy);
-    // Far to the left in the frame before, beyond the limit of the position test, though at the same pixel.
-    forEachPixel(noisy.size(), [&](int x, int y) {
-      noisy.inputs.guidesPrev.at(QUELL_GUIDE_POSITION, x, y) -= 5.0f;
-      noisy.inputs.guidesPrev.at(QUELL_GUIDE_POSITION + 2, x, y) += moved;
-      if (otherObject) noisy.inputs.objectIdsPrev.at(0, x, y) += 1.0f;
-    });
-    return acceptedAfter(noisy);
-  };
-  const std::size_t all = acceptedOf(kMotionAndObjects, 0.0f, false);
+  const std::size_t all = acceptedOfMoved(kMotionAndObjects, 0.0f, Ids::Each);
   CHECK(all > 1000);
-  CHECK(acceptedOf(kMotion, 0.0f, false) == all);
-  CHECK(acceptedOf(kPlain, 0.0f, false) == 0);
-  CHECK(acceptedOf(kObjects, 0.0f, false) == 0);
-  // Surfaces are 4 to 7 units away: nearer by less than a tenth of that, and by more.
-  CHECK(acceptedOf(kMotion, 0.38f, false) == all);
-  CHECK(acceptedOf(kMotion, 0.72f, false) == 0);
-  CHECK(acceptedOf(kMotionAndObjects, 0.72f, false) == all);
-  CHECK(acceptedOf(kMotionAndObjects, 0.0f, true) == 0);
+  CHECK(acceptedOfMoved(kMotion, 0.0f, Ids::Each) == all);
+  CHECK(acceptedOfMoved(kPlain, 0.0f, Ids::Each) == 0);
+  CHECK(acceptedOfMoved(kObjects, 0.0f, Ids::Each) == 0);
+  CHECK(acceptedOfMoved(kMotionAndObjects, 0.0f, Ids::Other) == 0);
+}
+
+TEST_CASE("object ids only speak against a history sample") {
+  const std::size_t all = acceptedOfMoved(kMotion, 0.38f, Ids::Each);
+  CHECK(all > 1000);
+  CHECK(acceptedOfMoved(kMotion, 0.72f, Ids::Each) == 0);
+  for (const Ids ids : {Ids::Each, Ids::Zero, Ids::One}) {
+    CHECK(acceptedOfMoved(kMotionAndObjects, 0.38f, ids) == all);
+    CHECK(acceptedOfMoved(kMotionAndObjects, 0.72f, ids) == 0);
+    CHECK(acceptedOfMoved(kObjects, 0.0f, ids) == 0);
+  }
 }
 
 TEST_CASE("a surface that turns keeps its history while it turns slowly") {

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "kernels/accumulate_noisy_params.h"
 #include "tests/cases/demodulate_case.hpp"
@@ -36,9 +38,17 @@ std::vector<float> encode(const std::vector<float>& values, Mapping mapping) {
 // The spacing of halves at this value.
 double halfUlp(double value) { return std::exp2(std::floor(std::log2(std::max(value, 1e-4))) - 10.0); }
 
-// What passes a channel on as it is, or hardly at all, told apart: between lies a blend.
-void avoidFading(io::Image& factor) {
-  for (float& value : factor.pixels) value = value < 0.01f ? 0.0f : value;
+// Factors at and beyond the ends of their range, in all channels or in one.
+void spreadFactors(io::Image& factor) {
+  const float values[] = {0.0f,  1e-7f, 1e-4f, 0.0099f, 0.01f, 0.0101f,
+                          0.02f, 1.5f,  50.0f, 1e30f,   -0.5f, std::numeric_limits<float>::quiet_NaN()};
+  constexpr std::size_t kValues = std::size(values);
+  const std::size_t pixels = factor.pixels.size() / 3;
+  for (std::size_t i = 0; i < pixels; i += 3) {
+    const float value = values[i / 3 % kValues];
+    const std::size_t channels = i / 3 / kValues % 2 == 0 ? 3 : 1;
+    for (std::size_t c = 0; c < channels; ++c) factor.pixels[3 * i + c] = value;
+  }
 }
 
 }  // namespace
@@ -136,8 +146,8 @@ TEST_CASE("demodulate then remodulate is the identity to one unit in the last pl
       options.layout = packedHalf(3);
       DemodulateCase demodulate(options, {variant});
       MaterialImages& material = demodulate.inputs.material;
-      avoidFading(material.albedo);
-      avoidFading(material.glossColor);
+      spreadFactors(material.albedo);
+      spreadFactors(material.glossColor);
       material.radiance = asStored(material.radiance, makeView(options.layout, options.size));
       for (std::size_t i = 0; i < material.radiance.pixels.size(); ++i)
         material.emission.pixels[i] = 0.5f * material.radiance.pixels[i];
@@ -157,19 +167,34 @@ TEST_CASE("demodulate then remodulate is the identity to one unit in the last pl
   }
 }
 
-TEST_CASE("remodulate passes background and black materials through") {
+TEST_CASE("remodulate passes through what is not filtered: no surface, or a sample without weight") {
+  for (const int plane : {QUELL_GUIDE_NORMAL, QUELL_GUIDE_WEIGHT}) {
+    RemodulateCase remodulate({});
+    Planes& guides = remodulate.inputs.guides;
+    for (int p = plane; p < (plane == QUELL_GUIDE_NORMAL ? plane + 3 : plane + 1); ++p)
+      forEachPixel(remodulate.size(), [&](int x, int y) { guides.at(p, x, y) = 0.0f; });
+    remodulate.uploadAndRun();
+    const Planes linear = remodulate.linear();
+    forEachPixel(remodulate.size(), [&](int x, int y) {
+      for (int c = 0; c < 3; ++c)
+        CHECK(linear.at(c, x, y) ==
+              Approx(remodulate.inputs.material.radiance.at(x, y, c)).epsilon(kRemodulateTolerance));
+    });
+  }
+}
+
+TEST_CASE("remodulate adds no more emission than radiance has") {
   RemodulateCase remodulate({});
-  auto& material = remodulate.inputs.material;
-  for (float& value : material.albedo.pixels) value = 0.0f;
-  for (float& value : material.glossColor.pixels) value = 0.0f;
+  MaterialImages& material = remodulate.inputs.material;
+  for (float& value : material.emission.pixels) value = 10.0f;
+  for (float& value : material.radiance.pixels) value = 1.0f;
+  for (float& value : remodulate.inputs.filtered.values) value = 0.0f;
   remodulate.uploadAndRun();
-  const Planes linear = remodulate.linear();
-  forEachPixel(remodulate.size(), [&](int x, int y) {
-    for (int c = 0; c < 3; ++c) {
-      const double radiance = std::max(material.radiance.at(x, y, c), material.emission.at(x, y, c));
-      CHECK(linear.at(c, x, y) == Approx(radiance).epsilon(kRemodulateTolerance));
-    }
-  });
+  for (const float value : remodulate.linear().values) CHECK(value == 1.0f);
+  // A missing sample says nothing about it.
+  for (float& value : material.radiance.pixels) value = std::numeric_limits<float>::quiet_NaN();
+  remodulate.uploadAndRun();
+  for (const float value : remodulate.linear().values) CHECK(value == 10.0f);
 }
 
 TEST_CASE("remodulate gives finite values for any input, and bad pixels do not leak") {

@@ -76,10 +76,13 @@ class Subsampler {
     const quell::io::FrameData data = m_sequence.read(frame);
     for (const ImageSource& source : quell::io::imageSources(1))
       write(source.files.stem, frame, data.*source.image, source.files);
-    if (const auto reference = m_sequence.reference(frame)) {
+    // What is antialiased over a pixel of the input is not so over one that is four times as large.
+    constexpr auto kind = quell::io::ReferenceKind::Centre;
+    if (m_sequence.hasReference(frame, kind)) {
       const quell::ImageFiles& color = quell::factsOf(&quell::io::FrameData::radiance).files;
-      write("ref_a_color", frame, reference->a, color);
-      write("ref_b_color", frame, reference->b, color);
+      const quell::io::Reference reference = m_sequence.reference(frame, kind);
+      write(quell::io::referenceStem(kind, 'a', color.stem), frame, reference.a, color);
+      write(quell::io::referenceStem(kind, 'b', color.stem), frame, reference.b, color);
     }
     m_frames.push_back({{"frame", frame},
                         {"view_projection", centred(data.camera.worldToClip)},
@@ -97,7 +100,7 @@ class Subsampler {
     return toJson(shifted(worldToClip, kCentreShiftPx, kCentreShiftPx, m_width, m_height));
   }
 
-  void write(const char* stem, int frame, const Image& image, const quell::ImageFiles& files) const {
+  void write(const std::string& stem, int frame, const Image& image, const quell::ImageFiles& files) const {
     if (image.empty()) return;
     const std::string name = fmt::format("{}_{:04}.exr", stem, frame);
     quell::io::writeImage(quell::io::joinPath(m_output, name), subsample(image), files);

@@ -79,6 +79,7 @@ void compareErrors(const std::string& key, const json& before, const json& now, 
   for (const json& frame : errorsOf(now)) {
     for (const json& old : errorsOf(before)) {
       if (old.at("frame") != frame.at("frame")) continue;
+      if (valueOf(old, "linear_reference") != valueOf(frame, "linear_reference")) continue;
       for (const metrics::Metric& metric : metrics::imageMetrics()) {
         if (!metric.compared) continue;
         compareFigure(fmt::format("{}, frame {}: {}", key, frame.at("frame").get<int>(), metric.key), metric,

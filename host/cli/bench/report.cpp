@@ -30,11 +30,12 @@ std::string csvHeader() {
          "ms,"
          "max_ms,bytes,gbs,copies,copy_share" +
          csvMetrics([](std::size_t i) { return std::string(metrics::imageMetrics()[i].key); }) +
-         ",label,skipped_share,operations,bound_ms,sweep," + metrics::kTemporalError.key +
+         ",reference,label,skipped_share,operations,bound_ms,sweep," + metrics::kTemporalError.key +
          ",build_cold_ms,build_cached_ms\n";
 }
 
 constexpr char kNoTimes[] = ",,,,,,,,";
+constexpr char kNoReference[] = ",";
 constexpr char kNoStage[] = ",,,,";
 
 double operationsOf(const BenchRun& run, const StageTimings& stage, const BenchResult& result) {
@@ -167,12 +168,14 @@ std::string csvLines(const BenchRun& run, const BenchResult& result) {
   std::string lines;
   const auto addTimes = [&](const char* kind, const std::string& name, const TimeStatistics& time,
                             std::uint64_t bytes, const std::string& stage) {
-    lines += fmt::format("{},{},{}{}{}{}{}\n", start, kind, name,
-                         csvTimes(time, bytes, timings.source, result.copy), noErrors, stage, end);
+    lines +=
+        fmt::format("{},{},{}{}{}{}{}{}\n", start, kind, name,
+                    csvTimes(time, bytes, timings.source, result.copy), noErrors, kNoReference, stage, end);
   };
-  const auto addErrors = [&](const char* image, int frame, const metrics::ErrorFigures& figures) {
-    lines += fmt::format("{},error,frame {} {}{}{}{}{}\n", start, frame, image, kNoTimes, csvErrors(figures),
-                         kNoStage, end);
+  const auto addErrors = [&](const char* image, int frame, const metrics::ErrorFigures& figures,
+                             io::ReferenceKind reference) {
+    lines += fmt::format("{},error,frame {} {}{}{},{}{}{}\n", start, frame, image, kNoTimes,
+                         csvErrors(figures), toString(reference), kNoStage, end);
   };
   for (const StageTimings& stage : timings.stages)
     addTimes("stage", stage.stage, stage.time, stage.bytesMoved, csvStage(run, stage, result));
@@ -180,9 +183,9 @@ std::string csvLines(const BenchRun& run, const BenchResult& result) {
   addTimes("sum", sum.stage, sum.time, sum.bytesMoved, kNoStage);
   addTimes("frame", "frame", timings.frame, sum.bytesMoved, kNoStage);
   for (const FrameErrors& errors : run.report.errors) {
-    addErrors("noisy", errors.frame, errors.noisy);
-    addErrors("linear", errors.frame, errors.linear);
-    addErrors("display", errors.frame, errors.display);
+    addErrors("noisy", errors.frame, errors.noisy, errors.linearReference);
+    addErrors("linear", errors.frame, errors.linear, errors.linearReference);
+    addErrors("display", errors.frame, errors.display, errors.displayReference);
   }
   return lines;
 }
@@ -191,7 +194,9 @@ std::string errorsText(const std::vector<FrameErrors>& errors) {
   const metrics::Metric& headline = metrics::headlineMetric();
   std::string text;
   for (const FrameErrors& frame : errors)
-    text += fmt::format("  {}: {}", frame.frame, fixed(frame.linear.at(headline.key), headline.digits, "-"));
+    text +=
+        fmt::format("  {}: {} ({})", frame.frame, fixed(frame.linear.at(headline.key), headline.digits, "-"),
+                    toString(frame.linearReference));
   return text;
 }
 
@@ -209,8 +214,9 @@ void printSummaryRow(const BenchRun& run, std::size_t nameWidth) {
 void printSummary(const BenchResult& result) {
   std::size_t nameWidth = 0;
   for (const BenchRun& run : result.runs) nameWidth = std::max(nameWidth, run.plan.name().size());
-  fmt::print("\n  {:<{}}{:>10}{:>9}{:>10}{:>9}{:>9}{:>8}  {} per frame\n", "median times", nameWidth,
-             "stages ms", "copies", "frame ms", "ms/Mpx", "MiB", "clock", metrics::headlineMetric().label);
+  fmt::print("\n  {:<{}}{:>10}{:>9}{:>10}{:>9}{:>9}{:>8}  {} per frame (reference)\n", "median times",
+             nameWidth, "stages ms", "copies", "frame ms", "ms/Mpx", "MiB", "clock",
+             metrics::headlineMetric().label);
   const BenchRun* previous = nullptr;
   for (const BenchRun& run : result.runs) {
     const Size size = run.report.size;

@@ -68,22 +68,23 @@ std::optional<double> lastFrameMs(Denoiser& denoiser) {
 
 // The last frame of an input that has a reference it can be compared with; -1 if none has.
 int lastReferenceFrame(const BenchInput& input) {
+  const io::References references(*input.sequence);
   for (auto frame = input.frames.rbegin(); frame != input.frames.rend(); ++frame)
-    if (input.sequence->reference(*frame) && input.sequence->read(*frame).comparable()) return *frame;
+    if (references.has(*frame) && input.sequence->read(*frame).comparable()) return *frame;
   return -1;
 }
 
 void keepInputPictures(std::vector<BenchPicture>& pictures, const BenchInput& input, int frame) {
   const std::string name = input.sequence->name();
   const io::FrameData data = input.sequence->read(frame);
-  const io::Reference reference = *input.sequence->reference(frame);
+  const io::Reference reference = io::References(*input.sequence).of(frame)->linear;
   pictures.push_back({name, frame, "noisy", metrics::encodeForDisplay(data.noisy())});
   pictures.push_back(
       {name, frame, "reference", metrics::encodeForDisplay(metrics::meanOfHalves(reference.a, reference.b))});
 }
 
-void measureErrors(ActiveRun& active, const io::FrameData& frame, References& references, int pictureFrame,
-                   bool wantsFlicker, std::vector<BenchPicture>& pictures) {
+void measureErrors(ActiveRun& active, const io::FrameData& frame, io::References& references,
+                   int pictureFrame, bool wantsFlicker, std::vector<BenchPicture>& pictures) {
   const DenoisedFrame denoised = active.session->denoise(frame);
   active.hash.add(denoised.linear);
   active.hash.add(denoised.display);
@@ -100,7 +101,7 @@ void warmUp(std::vector<ActiveRun>& active, const BenchInput& input, int picture
             std::vector<BenchPicture>& pictures) {
   // A sweep without references is about time: at 3840x2160 the temporal error takes longer than all else.
   const bool hasReferences = lastReferenceFrame(input) >= 0;
-  References references(*input.sequence);
+  io::References references(*input.sequence);
   fairRound(active, input, 0, [&](ActiveRun& run, const io::FrameData& frame) {
     const bool wantsFlicker = hasReferences || run.run.plan.sweep.empty();
     measureErrors(run, frame, references, pictureFrame, wantsFlicker, pictures);

@@ -94,24 +94,28 @@ int columnWidth(const metrics::Metric& metric) {
   return std::max(kLeast, static_cast<int>(std::strlen(metric.column)) + kGap);
 }
 
-std::string figuresText(const std::string& name, const metrics::ErrorFigures& figures) {
+constexpr int kReferenceWidth = 13;  // characters
+
+std::string figuresText(const std::string& name, const metrics::ErrorFigures& figures,
+                        io::ReferenceKind reference) {
   std::string line = fmt::format("  {:<24}", name);
   for (std::size_t i = 0; i < figures.values.size(); ++i) {
     const metrics::Metric& metric = metrics::imageMetrics()[i];
     line += fmt::format("{:>{}}", fixed(figures.values[i], metric.digits, "-"), columnWidth(metric));
   }
-  return line + "\n";
+  return line + fmt::format("{:>{}}\n", toString(reference), kReferenceWidth);
 }
 
 std::string errorsText(const std::vector<FrameErrors>& errors) {
   std::string lines = fmt::format("\n  {:<24}", "error");
   for (const metrics::Metric& metric : metrics::imageMetrics())
     lines += fmt::format("{:>{}}", metric.column, columnWidth(metric));
-  lines += "\n";
+  lines += fmt::format("{:>{}}\n", "reference", kReferenceWidth);
   for (const FrameErrors& frame : errors) {
-    lines += figuresText(fmt::format("frame {} noisy input", frame.frame), frame.noisy);
-    lines += figuresText(fmt::format("frame {} denoised", frame.frame), frame.linear);
-    lines += figuresText(fmt::format("frame {} display", frame.frame), frame.display);
+    const io::ReferenceKind linear = frame.linearReference;
+    lines += figuresText(fmt::format("frame {} noisy input", frame.frame), frame.noisy, linear);
+    lines += figuresText(fmt::format("frame {} denoised", frame.frame), frame.linear, linear);
+    lines += figuresText(fmt::format("frame {} display", frame.frame), frame.display, frame.displayReference);
   }
   return lines;
 }
@@ -119,10 +123,14 @@ std::string errorsText(const std::vector<FrameErrors>& errors) {
 }  // namespace
 
 FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denoised,
-                         const io::Reference& reference) {
-  return {frame.number, metrics::compareToReference(frame.noisy(), false, reference.a, reference.b),
-          metrics::compareToReference(denoised.linear, false, reference.a, reference.b),
-          metrics::compareToReference(denoised.display, true, reference.a, reference.b)};
+                         const io::FrameReferences& references) {
+  const io::Reference &linear = references.linear, &display = references.display();
+  return {frame.number,
+          metrics::compareToReference(frame.noisy(), false, linear.a, linear.b),
+          metrics::compareToReference(denoised.linear, false, linear.a, linear.b),
+          metrics::compareToReference(denoised.display, true, display.a, display.b),
+          linear.kind,
+          display.kind};
 }
 
 metrics::TrackedFrame trackFrame(const io::FrameData& frame, const DenoisedFrame& denoised) {
@@ -173,6 +181,8 @@ json toJson(const DenoiseReport& report) {
   if (!report.errors.empty()) result["errors"] = json::array();
   for (const FrameErrors& frame : report.errors) {
     result["errors"].push_back({{"frame", frame.frame},
+                                {"linear_reference", toString(frame.linearReference)},
+                                {"display_reference", toString(frame.displayReference)},
                                 {"noisy", figuresJson(frame.noisy)},
                                 {"linear", figuresJson(frame.linear)},
                                 {"display", figuresJson(frame.display)}});

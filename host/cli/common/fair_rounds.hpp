@@ -1,7 +1,6 @@
 // Runs side by side, so that their times can be compared, and what goes with that.
 #pragma once
 
-#include <optional>
 #include <quell/quell.hpp>
 #include <vector>
 
@@ -13,20 +12,6 @@ namespace quell::cli {
 
 /// Of the session's device. Throws quell::Error.
 CopyBandwidth measureCopy(const DenoiseSession& session);
-
-/// Keeps the reference of the latest frame, for all runs that are compared with it.
-class References {
- public:
-  explicit References(const io::FrameSequence& sequence) : m_sequence(sequence) {}
-
-  /// Nothing where the frame has none. Throws Error(FileError).
-  const std::optional<io::Reference>& of(int frame);
-
- private:
-  const io::FrameSequence& m_sequence;
-  std::optional<int> m_frame;
-  std::optional<io::Reference> m_reference;
-};
 
 /// Calls work(run, frame) for every run, from the run at `first` on.
 template <class Run, class Work>

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "host/io/exr_image.hpp"
 #include "host/io/png_image.hpp"
 #include "host/metrics/display_encoding.hpp"
 #include "host/metrics/error.hpp"
@@ -31,6 +30,15 @@ std::vector<std::string> planeNames(int planes) {
   return names;
 }
 
+void writePicture(const std::string& path, const io::Image& picture, const io::Image& alpha,
+                  io::ExrType samples) {
+  if (alpha.empty()) return io::writeExr(path, picture, samples);
+  io::Image image(picture.width, picture.height, 4);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = i % 4 == 3 ? alpha.pixels[i / 4] : picture.pixels[i / 4 * 3 + i % 4];
+  io::writeExr(path, image, {"R", "G", "B", "A"}, samples);
+}
+
 }  // namespace
 
 void createDirectory(const char* command, const std::string& path) {
@@ -51,10 +59,10 @@ std::string OutputFiles::path(const std::string& prefix, int frame, const char* 
       .string();
 }
 
-void OutputFiles::write(int frame, const DenoisedFrame& denoised) const {
-  io::writeExr(path("denoised", frame, "exr"), denoised.linear);
+void OutputFiles::write(int frame, const DenoisedFrame& denoised, const io::Image& alpha) const {
+  writePicture(path("denoised", frame, "exr"), denoised.linear, alpha, m_formats.samples);
   if (m_formats.png) io::writePng(path("display", frame, "png"), denoised.display);
-  if (m_formats.exr) io::writeExr(path("display", frame, "exr"), denoised.display);
+  if (m_formats.exr) writePicture(path("display", frame, "exr"), denoised.display, alpha, m_formats.samples);
 }
 
 void OutputFiles::writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,

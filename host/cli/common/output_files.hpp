@@ -6,6 +6,7 @@
 
 #include "host/cli/common/denoise_session.hpp"
 #include "host/io/atomic_file.hpp"
+#include "host/io/exr_image.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::cli {
@@ -20,8 +21,9 @@ void writeJson(const std::string& path, const Json& value) {
 }
 
 struct OutputFormats {
-  bool png = true;   ///< display_%04d.png
-  bool exr = false;  ///< display_%04d.exr
+  bool png = true;                          ///< display_%04d.png
+  bool exr = false;                         ///< display_%04d.exr
+  io::ExrType samples = io::ExrType::Half;  ///< of denoised_%04d.exr and display_%04d.exr
 };
 
 /// Display-encoded pictures side by side, 3 channels: noisy | denoised | reference, the last only where there is one.
@@ -34,9 +36,9 @@ class OutputFiles {
   /// Creates the directory. Throws Error(FileError).
   OutputFiles(std::string directory, OutputFormats formats);
 
-  /// denoised_%04d.exr (linear, before tone map and TAA, half, ZIP) and the display image in the chosen
-  /// formats.
-  void write(int frame, const DenoisedFrame& denoised) const;
+  /// denoised_%04d.exr (linear, before tone map and TAA, ZIP) and the display image in the chosen formats. `alpha` (1
+  /// channel, or empty) goes into the OpenEXR files as it is.
+  void write(int frame, const DenoisedFrame& denoised, const io::Image& alpha) const;
 
   /// comparison_%04d.png: noisy | denoised | reference, side by side.
   void writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,

@@ -11,6 +11,7 @@ namespace quell::cli {
 namespace {
 
 constexpr std::size_t kBarColumns = 40;
+constexpr char kClearLine[] = "\r\033[K";
 
 bool isTerminal() { return isatty(STDERR_FILENO) == 1; }
 
@@ -21,6 +22,12 @@ void drawBar(const std::string& label, double share, const std::string& figures)
 }
 
 }  // namespace
+
+void warn(const io::FrameWarning& warning) {
+  fmt::print(stderr, "{}quell: warning: {}: expected {}, got {}; {}\n", isTerminal() ? kClearLine : "",
+             warning.file, warning.expected, warning.got, warning.remedy);
+  std::fflush(stderr);
+}
 
 Progress::Progress(std::string label, std::size_t total)
     : m_label(std::move(label)), m_total(total), m_terminal(isTerminal()) {}

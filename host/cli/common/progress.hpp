@@ -1,10 +1,15 @@
-// Progress of a command on standard error.
+// Progress of a command, and warnings, on standard error.
 #pragma once
 
 #include <cstddef>
 #include <string>
 
+#include "host/io/frame_sequence.hpp"
+
 namespace quell::cli {
+
+/// One line, over the bar that may be there: "quell: warning: FILE: expected A, got B; REMEDY".
+void warn(const io::FrameWarning& warning);
 
 /// A bar on a terminal, plain lines otherwise.
 class Progress {

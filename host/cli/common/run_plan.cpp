@@ -9,6 +9,7 @@
 
 #include "host/analytic/sequence.hpp"
 #include "host/cli/common/command_arguments.hpp"
+#include "host/cli/watch/watched_sequence.hpp"
 
 namespace quell::cli {
 namespace {
@@ -136,7 +137,7 @@ std::string directoryWithRoughness(const std::vector<std::string>& directories, 
 std::vector<BenchInput> openInputs(const InputArguments& arguments) {
   std::vector<BenchInput> inputs;
   for (const std::string& directory : arguments.directories)
-    inputs.push_back(openInput(io::openSequence(directory, arguments.signals), arguments.mostFrames));
+    inputs.push_back(openInput(openWatched(directory, arguments.signals), arguments.mostFrames));
   std::vector<std::string> sizes = arguments.sizes;
   if (inputs.empty() && sizes.empty()) sizes = {kDefaultSize};
   if (!sizes.empty() && arguments.signals != 1)

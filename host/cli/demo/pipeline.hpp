@@ -44,7 +44,7 @@ class DemoPipeline {
   /// Waits for the latest frame and copies its pictures to the host.
   DemoPictures read();
 
-  /// Both halves of the reference of a frame, with that many samples per pixel each; blocks.
+  /// Both halves of the reference of a frame through pixel centres, with that many samples per pixel each; blocks.
   io::Reference reference(int frame, int samples);
 
   const DeviceInfo& device() const;

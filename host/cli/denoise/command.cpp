@@ -15,6 +15,7 @@
 #include "host/cli/common/fair_rounds.hpp"
 #include "host/cli/common/output_files.hpp"
 #include "host/cli/common/progress.hpp"
+#include "host/cli/watch/watched_sequence.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/frame_sequence.hpp"
 
@@ -43,11 +44,12 @@ struct DenoiseOptions {
   bool debugTiles = false;
   bool png = false;
   bool exr = false;
+  bool floats = false;
   bool copyBandwidth = false;
 };
 
 std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
-  if (!options.input.empty()) return io::openSequence(options.input, options.signals);
+  if (!options.input.empty()) return openWatched(options.input, options.signals);
   if (options.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
   const Size size = parseSize(kCommand, options.size);
   io::AnalyticOptions analytic;
@@ -81,8 +83,9 @@ std::unique_ptr<OutputFiles> openOutput(const DenoiseOptions& options) {
   if (options.output.empty() && (options.debugTiles || !options.dump.empty()))
     refuse(kCommand, options.debugTiles ? "--debug tiles" : "--dump", "--output as well", "none");
   if (options.output.empty()) return nullptr;
-  return std::make_unique<OutputFiles>(options.output,
-                                       OutputFormats{options.png || !options.exr, options.exr});
+  return std::make_unique<OutputFiles>(
+      options.output, OutputFormats{options.png || !options.exr, options.exr,
+                                    options.floats ? io::ExrType::Float : io::ExrType::Half});
 }
 
 // Denoises the frames, writes what there is to write of each, and fills the report's frames, errors and hash.
@@ -91,6 +94,7 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
                    DenoiseReport& report) {
   OutputHash hash;
   metrics::MotionCompensatedErrorMeter flicker;
+  io::References references(sequence);
   Progress progress(kCommand, frames.size());
   for (const int number : frames) {
     const io::FrameData frame = sequence.read(number);
@@ -98,13 +102,13 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
     hash.add(denoised.linear);
     hash.add(denoised.display);
     flicker.add(trackFrame(frame, denoised));
-    if (files != nullptr) files->write(number, denoised);
+    if (files != nullptr) files->write(number, denoised, frame.alpha);
     for (const std::string& name : options.dump)
       files->writeBuffer(number, session.denoiser().readBuffer(name));
     if (options.debugTiles) files->writeTiles(number, denoised, session.denoiser().backgroundMap());
-    if (const auto reference = sequence.reference(number)) {
+    if (const auto& reference = references.of(number)) {
       if (frame.comparable()) report.errors.push_back(compareFrame(frame, denoised, *reference));
-      if (files != nullptr) files->writeComparison(frame, denoised, *reference);
+      if (files != nullptr) files->writeComparison(frame, denoised, reference->display());
     }
     ++report.frames;
     progress.step(fmt::format("frame {}", number));
@@ -188,6 +192,8 @@ void addDenoiseCommand(CLI::App& app) {
       ->delimiter(',');
   command->add_flag("--png", options->png, "Write display images as PNG (the default)");
   command->add_flag("--exr", options->exr, "Write display images as OpenEXR");
+  command->add_flag("--float", options->floats,
+                    "Write OpenEXR files as 32-bit floats; default: half, 6e-8 to 65504");
   command->add_flag("--copy-bandwidth", options->copyBandwidth,
                     "Also measure the device's copy bandwidth and report times in copies");
   command->footer(settingsHelp("--set"));

@@ -66,9 +66,14 @@ void addRenderCommand(CLI::App& app) {
   command->add_option("--spp", options.settings.samples, "Samples per pixel")->capture_default_str();
   command->add_option("--size", arguments->size, "Pixels")->capture_default_str();
   command->add_option("--seed", options.settings.seed, "Seed of the random numbers")->capture_default_str();
+  command->add_flag(
+      "--jitter", options.settings.jitter,
+      "Primary rays leave the pixel centres, by another offset in every frame (jitter_px in camera.json)");
   command
       ->add_option("--reference", options.settings.referenceSamples,
-                   "Samples per pixel of each half of the references; 0: none")
+                   "Samples per pixel of each half of the references; 0: none. With --jitter there are two "
+                   "of a frame: "
+                   "through pixel centres and antialiased")
       ->capture_default_str();
   command
       ->add_option(

@@ -10,6 +10,7 @@
 
 #include "host/cli/common/denoise_session.hpp"
 #include "host/cli/common/progress.hpp"
+#include "host/cli/watch/watched_sequence.hpp"
 #include "host/metrics/display_encoding.hpp"
 #include "host/metrics/error.hpp"
 #include "host/stages/fit_features.hpp"
@@ -28,12 +29,14 @@ struct LoadedSequence {
 };
 
 LoadedSequence load(const std::string& directory) {
-  LoadedSequence loaded{io::openSequence(directory), {}, {}};
+  LoadedSequence loaded{openWatched(directory), {}, {}};
+  io::References references(*loaded.sequence);
   std::size_t needed = 0;
   for (const int number : loaded.sequence->frames()) {
     loaded.frames.push_back(loaded.sequence->read(number));
-    std::optional<io::Reference> reference = loaded.sequence->reference(number);
-    if (reference) {
+    std::optional<io::Reference> reference;
+    if (const auto& both = references.of(number)) {
+      reference = both->linear;
       needed = loaded.frames.size();
       reference->a = metrics::encodeForDisplay(reference->a);
       if (!reference->b.empty()) reference->b = metrics::encodeForDisplay(reference->b);

@@ -62,13 +62,17 @@ class SequenceEvaluator {
         m_arguments(arguments),
         m_result(result) {
     const io::FrameSequence& sequence = *input.sequence;
-    result.sequences.push_back(
-        {sequence.name(), {sequence.width(), sequence.height()}, input.frames.size(), {}, true});
+    result.sequences.push_back({sequence.name(),
+                                {sequence.width(), sequence.height()},
+                                input.frames.size(),
+                                {},
+                                true,
+                                m_references.linearKind()});
     for (const int number : input.frames) {
-      const auto reference = sequence.reference(number);
+      const auto& reference = m_references.of(number);
       if (!reference) continue;
       result.sequences.back().references.push_back(number);
-      if (reference->b.empty()) result.sequences.back().unbiased = false;
+      if (reference->linear.b.empty()) result.sequences.back().unbiased = false;
     }
   }
 
@@ -130,10 +134,11 @@ class SequenceEvaluator {
   }
 
   void measureErrors(ActiveSetting& one, const io::FrameData& frame) {
-    const std::optional<io::Reference>& reference = m_references.of(frame.number);
-    if (!reference || !one.measuresErrors) return one.session->run(frame);
+    const auto& references = m_references.of(frame.number);
+    if (!references || !one.measuresErrors) return one.session->run(frame);
+    const io::Reference& linear = references->linear;
     one.errors.add(
-        metrics::compareToReference(one.session->denoise(frame).linear, false, reference->a, reference->b));
+        metrics::compareToReference(one.session->denoise(frame).linear, false, linear.a, linear.b));
   }
 
   static void store(std::vector<ActiveSetting>& active) {
@@ -148,7 +153,7 @@ class SequenceEvaluator {
 
   const std::string& m_label;
   const BenchInput& m_input;
-  References m_references;
+  io::References m_references;
   const EvaluationArguments& m_arguments;
   Evaluation& m_result;
 };

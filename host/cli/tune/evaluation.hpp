@@ -47,6 +47,7 @@ struct EvaluatedSequence {
   std::size_t frames = 0;
   std::vector<int> references;  ///< numbers of the frames with a reference, at least one
   bool unbiased = true;         ///< all references have two halves
+  io::ReferenceKind referenceKind = io::ReferenceKind::Centre;
 };
 
 struct Evaluation {

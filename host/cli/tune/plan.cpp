@@ -26,9 +26,9 @@ bool sameOnAll(const PlannedRun& a, const PlannedRun& b, const std::vector<Bench
 }
 
 bool hasReference(const BenchInput& input) {
-  const io::FrameSequence& sequence = *input.sequence;
+  const io::References references(*input.sequence);
   return std::any_of(input.frames.begin(), input.frames.end(),
-                     [&](int frame) { return sequence.reference(frame).has_value(); });
+                     [&](int frame) { return references.has(frame); });
 }
 
 }  // namespace

@@ -68,9 +68,9 @@ TextTable makeTable(const TuningTable& table, const TuningResult& result) {
 std::string sequencesText(const std::vector<EvaluatedSequence>& sequences) {
   std::string text;
   for (const EvaluatedSequence& one : sequences)
-    text += fmt::format("- {}: {}x{}, {} frames, references of {}{}\n", one.name, one.size.width,
-                        one.size.height, one.frames, fmt::join(one.references, ", "),
-                        one.unbiased ? "" : "; of one half: plain RMSE");
+    text += fmt::format("- {}: {}x{}, {} frames, references ({}) of {}{}\n", one.name, one.size.width,
+                        one.size.height, one.frames, toString(one.referenceKind),
+                        fmt::join(one.references, ", "), one.unbiased ? "" : "; of one half: plain RMSE");
   return text;
 }
 
@@ -108,8 +108,13 @@ std::string resultText(const TuningResult& result, const Format& format) {
 }
 
 json sequenceJson(const EvaluatedSequence& sequence) {
-  return {{"name", sequence.name},     {"width", sequence.size.width},      {"height", sequence.size.height},
-          {"frames", sequence.frames}, {"references", sequence.references}, {"unbiased", sequence.unbiased}};
+  return {{"name", sequence.name},
+          {"width", sequence.size.width},
+          {"height", sequence.size.height},
+          {"frames", sequence.frames},
+          {"references", sequence.references},
+          {"reference", toString(sequence.referenceKind)},
+          {"unbiased", sequence.unbiased}};
 }
 
 json settingJson(const TunedSetting& setting, const std::vector<EvaluatedSequence>& sequences,

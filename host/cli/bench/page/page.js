@@ -25,6 +25,12 @@ function errorOf(run, metric) {
   return mean((run.errors || []).map(frame => figure(frame, metric)).filter(value => value !== null));
 }
 
+// Which reference the errors of an image metric were measured against.
+function referenceText(runs, metric) {
+  const frames = METRICS[metric].of === "run" ? [] : runs.flatMap(run => run.errors || []);
+  return frames.length ? ` (reference: ${frames[0].linear_reference})` : "";
+}
+
 function fill(select, values, names = values) {
   const before = select.value;
   select.replaceChildren(...values.map((value, i) => new Option(names[i], value)));
@@ -44,7 +50,7 @@ function paretoOf(runs, metric) {
     x: run.frame_ms.median, y: errorOf(run, metric), name: run.run, color: i,
     text: `${run.run}: ${short(run.frame_ms.median)} ms, ${labelOf(metric)} ${errorOf(run, metric)}`,
   })).filter(p => p.y !== null);
-  return points.length ? scatter(points, "ms per frame", labelOf(metric)) : note("This sequence has no references.");
+  return points.length ? scatter(points, "ms per frame", labelOf(metric) + referenceText(runs, metric)) : note("This sequence has no references.");
 }
 
 function showPareto() { replace("#pareto .chart", paretoOf(mainRuns(), byId("metric").value)); }
@@ -77,7 +83,7 @@ function showStages() {
 
 function framesOf(errors, metric) {
   const frames = [...new Set(errors.flatMap(series => series.points.map(point => point[0])))];
-  if (frames.length > 1) return lines(errors, "frame", labelOf(metric));
+  if (frames.length > 1) return lines(errors, "frame", labelOf(metric) + referenceText(mainRuns(), metric));
   return note(frames.length ? `Only frame ${frames[0]} has a reference: its errors are in the first chart.`
                             : "No errors of single frames.");
 }
