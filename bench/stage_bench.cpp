@@ -17,6 +17,8 @@
 #include "tests/cases/follow_change_case.hpp"
 #include "tests/cases/gram_solve_case.hpp"
 #include "tests/cases/gram_sums_case.hpp"
+#include "tests/cases/light_gain_case.hpp"
+#include "tests/cases/light_sums_case.hpp"
 #include "tests/cases/remodulate_case.hpp"
 #include "tests/cases/temporal_antialiasing_case.hpp"
 #include "tests/cases/variance_case.hpp"
@@ -110,6 +112,16 @@ void addChangeStages(std::vector<StageEntry>& entries, const std::string& varian
   }
 }
 
+// Stages that give back the light that a filter loses.
+void addLightStages(std::vector<StageEntry>& entries, const std::string& variant, Mapping mapping) {
+  const ImageLayout layout = tests::packed(3);
+  for (const int signals : {1, 2}) {
+    const std::string name = variant + (signals == 2 ? "_two_signals" : "");
+    entries.push_back(entry<tests::LightSumsCase>("light_sums." + name, mapping, layout, signals));
+    entries.push_back(entry<tests::LightGainCase>("light_gain." + name, mapping, layout, signals));
+  }
+}
+
 // Stages of a fit from sums over tiles.
 void addGramStages(std::vector<StageEntry>& entries, const std::string& variant, Mapping mapping) {
   const ImageLayout layout = tests::packed(3);
@@ -142,6 +154,7 @@ std::vector<StageEntry> stageEntries() {
     addPlaneStages(entries, name, mapping);
     addWaveletStages(entries, name, mapping);
     addChangeStages(entries, name, mapping);
+    addLightStages(entries, name, mapping);
     addGramStages(entries, name, mapping);
     entries.push_back(entry<tests::FitCase>("fit." + std::string(name) + "_half", mapping, tests::packed(3),
                                             FeatureStorage::Half));

@@ -3,6 +3,7 @@
 #define QUELL_CHANGE_PARAMS_H
 
 #include "common/innovation.h"
+#include "common/tiles_params.h"
 #include "common/types.h"
 
 QUELL_NAMESPACE_BEGIN
@@ -22,9 +23,6 @@ typedef struct ChangeParams {
 } ChangeParams;
 
 QUELL_NAMESPACE_END
-
-// Edge of a tile, pixels.
-#define QUELL_CHANGE_TILE 8
 
 // A tile's record, per signal: pixels that could be compared; for luminance and for chrominance the sum of their
 // differences and of the squares of these; and what fills up a vector.

@@ -49,13 +49,13 @@ __kernel void change_sums(STAGE_ARGUMENTS(CHANGE_SUMS) ChangeParams params) {
   const int tileX = (int)get_global_id(0);
   const int tileY = (int)get_global_id(1);
   if (tileX >= params.tilesX || tileY >= params.tilesY) return;
-  const int x = tileX * QUELL_CHANGE_TILE;
-  const int y = tileY * QUELL_CHANGE_TILE;
+  const int x = tileX * QUELL_TILE;
+  const int y = tileY * QUELL_TILE;
   const int8 inside = x + (int8)(0, 1, 2, 3, 4, 5, 6, 7) < planes.width;
   const int tiles = params.tilesX * params.tilesY;
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     TileSums tile = emptySums();
-    for (int row = 0; row < QUELL_CHANGE_TILE; ++row) {
+    for (int row = 0; row < QUELL_TILE; ++row) {
       if (y + row >= planes.height) break;
       const int index = planeIndex(planes, x, y + row);
       tile = addRow(tile, innovation + QUELL_INNOVATION_PLANES * s * planes.stride + index,

@@ -39,7 +39,7 @@ QUELL_INLINE WindowSums sumWindow(__global const float* sums, ChangeParams param
       const float8 tile = vload8(row * params.tilesX + column, sums);
       window.weighted += tent * tile;
       window.weightSquares += tent * tent * tile.s0;
-      window.fullWeight += tent * (float)(QUELL_CHANGE_TILE * QUELL_CHANGE_TILE);
+      window.fullWeight += tent * (float)(QUELL_TILE * QUELL_TILE);
     }
   }
   return window;

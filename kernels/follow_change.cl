@@ -9,51 +9,18 @@
 #include "common/luminance.h"
 #include "common/planes.h"
 #include "common/surfaces.h"
+#include "common/tiles.h"
 #include "follow_change_ports.h"
-
-// Tiles around each pixel, and where it lies between their centres.
-typedef struct TileMix {
-  GatherPlan left;
-  GatherPlan right;
-  int top;     // element of the upper row of tiles
-  int bottom;  // and of the lower
-  floatL fractionX;
-  float fractionY;
-} TileMix;
-
-QUELL_INLINE TileMix mixTiles(ChangeParams params, int x, int y) {
-  const floatL u = (TO_FLOAT(x + LANE_INDEX) + 0.5f) * (1.0f / QUELL_CHANGE_TILE) - 0.5f;
-  const float v = ((float)y + 0.5f) * (1.0f / QUELL_CHANGE_TILE) - 0.5f;
-  const intL column = floorLanes(u);
-  const int row = (int)floor(v);
-  TileMix mix;
-  mix.left = planGather(minLanesInt(maxLanesInt(column, (intL)(0)), (intL)(params.tilesX - 1)));
-  mix.right = planGather(minLanesInt(column + 1, (intL)(params.tilesX - 1)));
-  mix.top = max(row, 0) * params.tilesX;
-  mix.bottom = min(row + 1, params.tilesY - 1) * params.tilesX;
-  mix.fractionX = u - TO_FLOAT(column);
-  mix.fractionY = v - (float)row;
-  return mix;
-}
 
 // Whether one of the tiles around the pixels from x on has more than the least weight: where the light is still, the
 // answer costs less than interpolating.
 QUELL_INLINE int anyTileAbove(__global const float* weights, ChangeParams params, TileMix mix, int x) {
-  const int first = max((x - QUELL_CHANGE_TILE / 2) / QUELL_CHANGE_TILE, 0);
-  const int last = min((x + QUELL_LANES - 1 + QUELL_CHANGE_TILE / 2) / QUELL_CHANGE_TILE, params.tilesX - 1);
+  const int first = max((x - QUELL_TILE / 2) / QUELL_TILE, 0);
+  const int last = min((x + QUELL_LANES - 1 + QUELL_TILE / 2) / QUELL_TILE, params.tilesX - 1);
   float largest = 0.0f;
   for (int column = first; column <= last; ++column)
     largest = max(largest, max(weights[mix.top + column], weights[mix.bottom + column]));
   return largest > params.leastWeight;
-}
-
-QUELL_INLINE floatL mixedWeight(__global const float* weights, TileMix mix) {
-  const float below = mix.fractionY;
-  const floatL left = gatherLanes(weights + mix.top, mix.left) * (1.0f - below) +
-                      gatherLanes(weights + mix.bottom, mix.left) * below;
-  const floatL right = gatherLanes(weights + mix.top, mix.right) * (1.0f - below) +
-                       gatherLanes(weights + mix.bottom, mix.right) * below;
-  return left + mix.fractionX * (right - left);
 }
 
 // Share of the way from what was blended with weight `given` to the newest sample that makes it the weight `wanted`.
@@ -69,10 +36,10 @@ QUELL_INLINE floatL towards(floatL value, floatL newest, floatL share) {
 __kernel void follow_change(STAGE_ARGUMENTS(FOLLOW_CHANGE) ChangeParams params) {
   BEGIN_PIXELS(params.planes);
   LEAVE_OUT_BACKGROUND(NOTHING_ELSE)
-  const TileMix mix = mixTiles(params, x, y);
+  const TileMix mix = mixTiles(params.tilesX, params.tilesY, x, y);
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     if (!anyTileAbove(changeWeights + s * params.tilesX * params.tilesY, params, mix, x)) continue;
-    const floatL wanted = mixedWeight(changeWeights + s * params.tilesX * params.tilesY, mix);
+    const floatL wanted = mixedValue(changeWeights + s * params.tilesX * params.tilesY, mix);
     if (!anyLane(wanted > params.leastWeight)) continue;
     __global uchar* length = historyLength + s * stride + index;
     const intL frames = loadByteLanes(length);

@@ -10,6 +10,8 @@ typedef struct RemodulateParams {
   PlaneParams planes;
   FrameImageParams images;
   OutputImageParams outputs;
+  QuellInt tilesX;  // of the gains of light_gain
+  QuellInt tilesY;
 } RemodulateParams;
 
 QUELL_NAMESPACE_END

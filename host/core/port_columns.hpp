@@ -22,6 +22,7 @@
 
 #define ALL 1.0
 #define PLANES(count) (static_cast<double>(count) / extentPlanes)
+#define ELEMENTS(count) (static_cast<double>(count) / static_cast<double>(port.extent.elements))
 #define SURFACES content.surfaces
 #define HISTORIES (content.frames > 1 ? content.histories : 0.0)
 #define SHORT_HISTORIES (content.frames < temporalFrames ? 1.0 : content.shortHistories)

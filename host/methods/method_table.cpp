@@ -27,13 +27,14 @@ bool antialiases(const Configuration& configuration, const AntialiasingSettings&
 }
 
 void addOutputStages(Schedule& table, const Configuration& configuration, const std::string& filtered,
-                     const AntialiasingSettings& antialiasing, bool skip, BackgroundAntialiasing background) {
+                     const AntialiasingSettings& antialiasing, bool skip, BackgroundAntialiasing background,
+                     bool keepLight) {
   const bool taa = antialiases(configuration, antialiasing);
   const bool always = background == BackgroundAntialiasing::Always || antialiasing.jitteredRays;
   const bool linear = taa && antialiasing.jitteredRays;
   requireFBetaImages(configuration);
   if (skip) add(table, Background(configuration, {taa, always, linear}));
-  add(table, Remodulate(configuration, {taa, linear, skip}), {{"filtered", filtered}});
+  add(table, Remodulate(configuration, {taa, linear, keepLight, skip}), {{"filtered", filtered}});
   if (taa)
     add(table, TemporalAntialiasing(configuration, {antialiasing.taaNewestWeight, linear, skip && !always}));
 }

@@ -39,9 +39,10 @@ enum class BackgroundAntialiasing {
 bool antialiases(const Configuration& configuration, const AntialiasingSettings& antialiasing);
 
 /// Adds the lines from filtered irradiance, in the buffer `filtered`, to the caller's images: background (with `skip`),
-/// remodulate and, with `taa`, temporal_antialiasing.
+/// remodulate and, with `taa`, temporal_antialiasing. `keepLight`: light_gain has gone before.
 void addOutputStages(Schedule& table, const Configuration& configuration, const std::string& filtered,
                      const AntialiasingSettings& antialiasing, bool skip,
-                     BackgroundAntialiasing background = BackgroundAntialiasing::IfJittered);
+                     BackgroundAntialiasing background = BackgroundAntialiasing::IfJittered,
+                     bool keepLight = false);
 
 }  // namespace quell

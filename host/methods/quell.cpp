@@ -1,5 +1,6 @@
 // quell: history that follows changes of light, then a filter guided by its variance.
 #include <algorithm>
+#include <string>
 
 #include "host/methods/method.hpp"
 #include "host/methods/method_table.hpp"
@@ -9,6 +10,8 @@
 #include "host/stages/change_sums.hpp"
 #include "host/stages/change_weight.hpp"
 #include "host/stages/follow_change.hpp"
+#include "host/stages/light_gain.hpp"
+#include "host/stages/light_sums.hpp"
 #include "host/stages/variance.hpp"
 
 namespace quell {
@@ -73,11 +76,16 @@ Schedule makeSchedule(const Configuration& configuration, const QuellSettings& s
   addAccumulation(table, configuration, s);
   Variance::Setup variance{s.stops, s.temporalVarianceFrames, s.common.skip};
   variance.ofMean = true;
-  variance.stopLuminance = s.prefilteredIterations > 0;
+  variance.stopLuminance = s.prefilteredIterations > 0 || s.keepLight;
   add(table, Variance(configuration, variance));
   addFilter(table, configuration, s);
-  addOutputStages(table, configuration, levelAfter(s.iterations).irradiance, s.common.antialiasing,
-                  s.common.skip);
+  const std::string filtered = levelAfter(s.iterations).irradiance;
+  if (s.keepLight) {
+    add(table, LightSums(configuration), {{"filtered", filtered}});
+    add(table, LightGain(configuration));
+  }
+  addOutputStages(table, configuration, filtered, s.common.antialiasing, s.common.skip,
+                  BackgroundAntialiasing::IfJittered, s.keepLight);
   return table;
 }
 

@@ -21,6 +21,7 @@ struct QuellSettings {
   double luminanceSigma;
   EdgeStops stops;
   double sharpRoughness;
+  bool keepLight;
   CommonSettings common;
 };
 
@@ -60,6 +61,9 @@ inline SettingTable<QuellSettings> quellSettings() {
             "roughness below which luminanceSigma shrinks, to its half at roughness 0; 0, or no roughness "
             "image: nowhere",
             sweep);
+  table.add("keepLight", &S::keepLight, true,
+            "give back the light that the filter loses, from the means of history and filtered over windows",
+            "ours, kernels/light_gain.cl; docs/quell-sweep.md");
   table.include(&S::common, commonSettings());
   return table;
 }

@@ -11,7 +11,7 @@ QUELL_PORTS(ChangeSumsOptions, CHANGE_SUMS)
 ChangeSums::ChangeSums(const Configuration& configuration, const ChangeDetection& detection)
     : m_detection(detection) {
   QUELL_SIGNALS = signalCount(configuration.frame);
-  changeTiles = changeTileCount(configuration.size(), QUELL_SIGNALS);
+  changeTiles = tileCount(configuration.size(), QUELL_SIGNALS);
 }
 
 ChangeParams ChangeSums::params(const FrameRun& run) const {

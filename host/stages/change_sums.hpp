@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/core/stage.hpp"
-#include "host/stages/change_tiles.hpp"
+#include "host/stages/change_detection.hpp"
 #include "kernels/change_sums_ports.h"
 
 namespace quell {
@@ -16,7 +16,7 @@ class ChangeSums : public KernelStage<ChangeSumsOptions, ChangeParams> {
 
  protected:
   ChangeParams params(const FrameRun& run) const override;
-  std::array<std::size_t, 2> range(const FrameRun& run) const override { return tileRange(params(run)); }
+  std::array<std::size_t, 2> range(const FrameRun& run) const override { return tileRange(run.frame.size); }
 
  private:
   ChangeDetection m_detection;

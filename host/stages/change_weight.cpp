@@ -11,7 +11,7 @@ QUELL_PORTS(ChangeWeightOptions, CHANGE_WEIGHT)
 ChangeWeight::ChangeWeight(const Configuration& configuration, const ChangeDetection& detection)
     : m_detection(detection) {
   QUELL_SIGNALS = signalCount(configuration.frame);
-  changeTiles = changeTileCount(configuration.size(), QUELL_SIGNALS);
+  changeTiles = tileCount(configuration.size(), QUELL_SIGNALS);
 }
 
 ChangeParams ChangeWeight::params(const FrameRun& run) const {

@@ -11,7 +11,7 @@ QUELL_PORTS(FollowChangeOptions, FOLLOW_CHANGE)
 FollowChange::FollowChange(const Configuration& configuration, const ChangeDetection& detection, bool skip)
     : m_detection(detection) {
   QUELL_SIGNALS = signalCount(configuration.frame);
-  changeTiles = changeTileCount(configuration.size(), QUELL_SIGNALS);
+  changeTiles = tileCount(configuration.size(), QUELL_SIGNALS);
   setSkipOptions<FollowChangeOptions>(*this, configuration, skip);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/core/stage.hpp"
-#include "host/stages/change_tiles.hpp"
+#include "host/stages/change_detection.hpp"
 #include "kernels/follow_change_ports.h"
 
 namespace quell {

@@ -1,6 +1,7 @@
 #include "host/stages/remodulate.hpp"
 
 #include "host/stages/stage_options.hpp"
+#include "host/stages/tiles.hpp"
 // After all others: short names.
 #include "host/core/port_columns.hpp"
 
@@ -12,6 +13,8 @@ Remodulate::Remodulate(const Configuration& configuration, const Setup& setup) {
   setLightOptions<RemodulateOptions>(*this, configuration);
   setSkipOptions<RemodulateOptions>(*this, configuration, setup.skip);
   WRITE_PLANES = setup.antialias ? 1 : 0;
+  KEEP_LIGHT = setup.keepLight ? 1 : 0;
+  lightTiles = tileCount(configuration.size(), QUELL_SIGNALS);
   ANTIALIAS_LINEAR = setup.antialiasLinear ? 1 : 0;
 }
 
@@ -20,6 +23,8 @@ RemodulateParams Remodulate::params(const FrameRun& run) const {
   params.planes = makePlanes(run.frame.size);
   params.images = makeImageParams(run.frame);
   params.outputs = makeImageParams(run.output, run.frame.size);
+  params.tilesX = tilesAlong(run.frame.size.width);
+  params.tilesY = tilesAlong(run.frame.size.height);
   return params;
 }
 

@@ -14,6 +14,7 @@ class Remodulate : public KernelStage<RemodulateOptions, RemodulateParams> {
   struct Setup {
     bool antialias = false;        ///< temporal_antialiasing follows and writes the display image
     bool antialiasLinear = false;  ///< and the linear one
+    bool keepLight = false;        ///< light_gain has gone before
     bool skip = false;             ///< leaves background to the stage background
   };
   Remodulate(const Configuration& configuration, const Setup& setup);

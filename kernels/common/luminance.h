@@ -3,7 +3,9 @@
 
 #include "common/lanes.h"
 
-// Luminance of linear Rec. 709 RGB (ITU-R BT.709-6, item 3.2).
-QUELL_INLINE floatL luminance(float3L rgb) { return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z; }
+// Luminance of linear Rec. 709 RGB (ITU-R BT.709-6, item 3.2), numbers or vectors.
+#define LUMINANCE_OF(red, green, blue) (0.2126f * (red) + 0.7152f * (green) + 0.0722f * (blue))
+
+QUELL_INLINE floatL luminance(float3L rgb) { return LUMINANCE_OF(rgb.x, rgb.y, rgb.z); }
 
 #endif

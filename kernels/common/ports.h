@@ -12,8 +12,8 @@
 //          use to this stage alone; TABLE, read of a table that the runtime provides.
 // element  FLOAT, HALF, UCHAR, INT or FLOAT4.
 // extent   planes of the image's size that the buffer has, or RECORDS(count) elements.
-// touched  share of the extent that a frame touches, each element counted once: ALL, PLANES(count) of it, or what depends
-//          on the frame: SURFACES (work-items that show a surface), HISTORIES (that have a history; on surfaces alone where the stage leaves out background), SHORT_HISTORIES (that
+// touched  share of the extent that a frame touches, each element counted once: ALL, PLANES(count) of it, ELEMENTS(count)
+//          of RECORDS, or what depends on the frame: SURFACES (work-items that show a surface), HISTORIES (that have a history; on surfaces alone where the stage leaves out background), SHORT_HISTORIES (that
 //          have too short a one), CHANGED (whose light has changed), NEAR_SURFACES (background next to a surface),
 //          WHERE_REPROJECTED (SURFACES, and the background if it is antialiased), LOOKED_UP (unknown, 0 is counted). The
 //          `share` of an image likewise. What a stage leaves out because it is background need not be said.

@@ -10,7 +10,7 @@ namespace {
 
 double randomCount(Random& random) {
   const double kind = random.uniform();
-  const int all = QUELL_CHANGE_TILE * QUELL_CHANGE_TILE;
+  const int all = QUELL_TILE * QUELL_TILE;
   return kind < 0.2 ? 0.0 : kind < 0.4 ? random.integer(1, 8) : random.integer(all / 2, 2 * all);
 }
 

@@ -1,13 +1,16 @@
 #include "tests/cases/remodulate_case.hpp"
 
+#include "tests/oracle/tiles_oracle.hpp"
 #include "tests/support/random_images.hpp"
 #include "tests/support/test_scene.hpp"
 
 namespace quell::tests {
 namespace {
 
-StageSetup makeRemodulateSetup(const CaseOptions& options, const MaterialVariant& variant, RemodulateTo to) {
+StageSetup makeRemodulateSetup(const CaseOptions& options, const MaterialVariant& variant, RemodulateTo to,
+                               LightLoss loss) {
   StageSetup setup = makeSetup(options);
+  if (loss == LightLoss::GivenBack) setup.settings = Settings("quell");
   setMaterialViews(setup, variant, options.layout);
   setup.output.linear = makeView(options.layout, options.size);
   setup.output.display = makeView(options.layout, options.size);
@@ -18,18 +21,26 @@ StageSetup makeRemodulateSetup(const CaseOptions& options, const MaterialVariant
 
 }  // namespace
 
-RemodulateCase::RemodulateCase(const CaseOptions& options, const MaterialVariant& variant, RemodulateTo to)
-    : StageCase("remodulate", makeRemodulateSetup(options, variant, to)), m_to(to), m_layout(options.layout) {
+RemodulateCase::RemodulateCase(const CaseOptions& options, const MaterialVariant& variant, RemodulateTo to,
+                               LightLoss loss)
+    : StageCase("remodulate", makeRemodulateSetup(options, variant, to, loss)),
+      m_to(to),
+      m_layout(options.layout) {
   inputs.material = randomMaterial(variant, options.size, options.seed);
   const int signals = inputs.material.signals();
   inputs.filtered = randomPlanes(options.size, 3 * signals, options.seed + 10, 0.0, 8.0);
   inputs.guides = renderScene({}, options.size, signals, options.holes()).guides;
+  // Up to ratios beyond what they are limited to.
+  if (loss == LightLoss::GivenBack)
+    inputs.lightGain =
+        randomPlanes({TileGrid(options.size).count() * signals, 1}, 1, options.seed + 20, -0.3, 0.3);
 }
 
 void RemodulateCase::upload() {
   uploadMaterial(m_harness, inputs.material);
   m_harness.upload("filtered", inputs.filtered);
   m_harness.upload("guides", inputs.guides);
+  if (inputs.lightGain.count > 0) m_harness.upload("lightGain", inputs.lightGain);
 }
 
 Comparison RemodulateCase::compare() {

@@ -17,11 +17,14 @@ enum class RemodulateTo {
   AntialiasingOnly,  ///< planes alone: rays are jittered
 };
 
+/// What the method does about light that its filter loses.
+enum class LightLoss { Left, GivenBack };
+
 class RemodulateCase : public StageCase {
  public:
   /// The caller's inputs and outputs are in options.layout.
   explicit RemodulateCase(const CaseOptions& options, const MaterialVariant& variant = kFullMaterial,
-                          RemodulateTo to = RemodulateTo::Antialiasing);
+                          RemodulateTo to = RemodulateTo::Antialiasing, LightLoss loss = LightLoss::Left);
 
   RemodulateInputs inputs;
 
@@ -35,6 +38,7 @@ class RemodulateCase : public StageCase {
   std::vector<LightInput> light() override {
     std::vector<LightInput> inputsOfLight = lightOf(inputs.material);
     inputsOfLight.push_back(lightOf(inputs.filtered));
+    if (inputs.lightGain.count > 0) inputsOfLight.push_back(lightOf(inputs.lightGain, -1));
     return inputsOfLight;
   }
 

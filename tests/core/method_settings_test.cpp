@@ -57,7 +57,8 @@ Readers<S> commonReaders() {
 const Readers<QuellSettings> kQuell = {
     READ(historyFrames), READ(stillHistoryFrames), READ(momentsLeastWeight),    READ(temporalVarianceFrames),
     READ(mostWeight),    READ(changeThreshold),    READ(recentChangeThreshold), READ(changeGain),
-    READ(changeMemory),  READ(sharpRoughness),     READ(prefilteredIterations), READ(prefilteredSigma)};
+    READ(changeMemory),  READ(sharpRoughness),     READ(prefilteredIterations), READ(prefilteredSigma),
+    READ(keepLight)};
 const Readers<BmfrSettings> kBmfr = {READ(noisyLeastWeight), READ(filteredLeastWeight),
                                      READ(noiseAmplitude),   READ(solver),
                                      READ(windows),          READ_AS("tileSize", tileSize / 8 - 1),

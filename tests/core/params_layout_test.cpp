@@ -21,6 +21,7 @@
 #include "kernels/demodulate_params.h"
 #include "kernels/fit_params.h"
 #include "kernels/gram_params.h"
+#include "kernels/light_params.h"
 #include "kernels/material_guides_params.h"
 #include "kernels/remodulate_params.h"
 #include "kernels/render/scene_params.h"
@@ -47,8 +48,9 @@ namespace {
   X("demodulate_params.h", DemodulateParams, images)                                   \
   X("fit_params.h", FitParams, noiseAmplitude)                                         \
   X("gram_params.h", GramParams, noiseVariance)                                        \
+  X("light_params.h", LightParams, tilesY)                                             \
   X("material_guides_params.h", MaterialGuidesParams, images)                          \
-  X("remodulate_params.h", RemodulateParams, outputs)                                  \
+  X("remodulate_params.h", RemodulateParams, tilesY)                                   \
   X("temporal_antialiasing_params.h", TemporalAntialiasingParams, antialiasBackground) \
   X("variance_params.h", VarianceParams, temporalFrames)                               \
   X("render/scene_params.h", RenderPrimitive, light)                                   \

@@ -7,11 +7,7 @@ namespace {
 
 constexpr double kLeastComparedLength = 2.0;  // frames: the newest one and one before
 
-int tilesAlong(int pixels) { return int(std::ceil(double(pixels) / QUELL_CHANGE_TILE)); }
-
 }  // namespace
-
-TileGrid::TileGrid(Size size) : columns(tilesAlong(size.width)), rows(tilesAlong(size.height)) {}
 
 ChangeSumsExact changeSumsOracle(const ChangeSumsInputs& inputs) {
   const Size size = inputs.innovation.size();
@@ -21,8 +17,7 @@ ChangeSumsExact changeSumsOracle(const ChangeSumsInputs& inputs) {
   for (int signal = 0; signal < inputs.signals(); ++signal) {
     forEachPixel(size, [&](int x, int y) {
       if (inputs.historyLength.at(signal, x, y) < kLeastComparedLength) return;
-      const int tile = y / QUELL_CHANGE_TILE * grid.columns + x / QUELL_CHANGE_TILE;
-      const int record = (signal * grid.count() + tile) * QUELL_CHANGE_RECORD;
+      const int record = (signal * grid.count() + grid.tileAt(x, y)) * QUELL_CHANGE_RECORD;
       const double luminance =
           inputs.innovation.at(QUELL_INNOVATION_PLANES * signal + QUELL_INNOVATION_LUMINANCE, x, y);
       const double chrominance =

@@ -1,19 +1,11 @@
-// Double-precision oracle of the stage change_sums, see kernels/change_sums.cl; and the grid of its tiles.
+// Double-precision oracle of the stage change_sums, see kernels/change_sums.cl.
 #pragma once
 
 #include "kernels/change_params.h"
+#include "tests/oracle/tiles_oracle.hpp"
 #include "tests/support/planes.hpp"
 
 namespace quell::tests {
-
-/// Tiles that cover an image of this size.
-struct TileGrid {
-  explicit TileGrid(Size size);
-  int count() const { return columns * rows; }
-
-  int columns;
-  int rows;
-};
 
 struct ChangeSumsInputs {
   Planes innovation;     ///< QUELL_INNOVATION_PLANES a signal

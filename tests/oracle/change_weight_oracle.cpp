@@ -6,7 +6,7 @@
 namespace quell::tests {
 namespace {
 
-constexpr double kPixelsOfTile = double(QUELL_CHANGE_TILE) * QUELL_CHANGE_TILE;
+constexpr double kPixelsOfTile = double(QUELL_TILE) * QUELL_TILE;
 
 // What windows around the tile tell.
 class WindowOracle {

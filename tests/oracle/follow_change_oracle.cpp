@@ -12,23 +12,6 @@ namespace {
 constexpr double kWeightRounding = 1e-6;
 constexpr double kLengthRounding = 1e-4;
 
-// Bilinear between the centres of tiles; constant beyond the outermost ones.
-double weightAt(const FollowChangeInputs& inputs, int signal, int x, int y) {
-  const TileGrid grid(inputs.historyLength.size());
-  const auto clamped = [](double pixel, int tiles) {
-    return std::clamp((pixel + 0.5) / QUELL_CHANGE_TILE - 0.5, 0.0, double(tiles - 1));
-  };
-  const double u = clamped(x, grid.columns), v = clamped(y, grid.rows);
-  const auto tile = [&](int column, int row) {
-    const int i = std::min(row, grid.rows - 1) * grid.columns + std::min(column, grid.columns - 1);
-    return double(inputs.weights.values[std::size_t(signal * grid.count() + i)]);
-  };
-  const int column = int(u), row = int(v);
-  const double right = u - column, below = v - row;
-  return (1.0 - below) * ((1.0 - right) * tile(column, row) + right * tile(column + 1, row)) +
-         below * ((1.0 - right) * tile(column, row + 1) + right * tile(column + 1, row + 1));
-}
-
 // What a blend of history and newest value would be with another weight of the latter.
 double reblend(double blended, double newest, double given, double wanted) {
   if (given >= wanted) return blended;
@@ -40,7 +23,7 @@ void followSignal(const FollowChangeInputs& inputs, FollowChangeExact& exact, in
   const double length = inputs.historyLength.at(signal, x, y);
   const double cumulative = 1.0 / std::max(length, 1.0);
   const double given = std::max(cumulative, inputs.leastWeight);
-  const double wanted = weightAt(inputs, signal, x, y);
+  const double wanted = betweenTiles(inputs.weights, TileGrid(inputs.historyLength.size()), signal, x, y);
   char& undecided = exact.undecided.at(0, x, y);
   undecided = char(undecided || std::abs(wanted - given) < kWeightRounding);
   if (wanted <= given || inputs.newestIrradiance.at(3 * signal, x, y) < 0.0f) return;

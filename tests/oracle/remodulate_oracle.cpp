@@ -4,6 +4,8 @@
 
 #include "kernels/accumulate_noisy_params.h"
 #include "tests/oracle/display_encoding_oracle.hpp"
+#include "tests/oracle/edge_stops_oracle.hpp"
+#include "tests/oracle/light_gain_oracle.hpp"
 
 namespace quell::tests {
 namespace {
@@ -29,9 +31,12 @@ Remodulated remodulate(const Material& material, bool isFiltered, const Vector3d
           material.tint.maxCoeff() * std::max(material.signal.maxCoeff(), product.maxCoeff())};
 }
 
-Vector3d filteredAt(const Planes& filtered, int x, int y, int signal) {
-  return {filtered.at(3 * signal, x, y), filtered.at(3 * signal + 1, x, y),
-          filtered.at(3 * signal + 2, x, y)};
+Vector3d filteredAt(const RemodulateInputs& inputs, int x, int y, int signal) {
+  const auto channel = [&](int c) { return double(inputs.filtered.at(3 * signal + c, x, y)); };
+  const Vector3d filtered(channel(0), channel(1), channel(2));
+  if (inputs.lightGain.count == 0) return filtered;
+  const double gain = betweenTiles(inputs.lightGain, TileGrid(inputs.filtered.size()), signal, x, y);
+  return lightRatio(gain, luminanceOf(filtered[0], filtered[1], filtered[2])) * filtered;
 }
 
 }  // namespace
@@ -47,8 +52,7 @@ RemodulateExact remodulateOracle(const RemodulateInputs& inputs) {
       const Material material = materialAt(inputs.material, x, y, signal);
       // What is there and has no weight is not to be filtered.
       const bool counts = inputs.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) > 0.0f || !material.finite;
-      const Remodulated result =
-          remodulate(material, surface && counts, filteredAt(inputs.filtered, x, y, signal));
+      const Remodulated result = remodulate(material, surface && counts, filteredAt(inputs, x, y, signal));
       sum += material.emission + result.light;
       double& magnitude = exact.magnitude.at(0, x, y);
       magnitude = std::max({magnitude, result.magnitude, material.emission.cwiseAbs().maxCoeff()});

@@ -8,8 +8,9 @@ namespace quell::tests {
 
 struct RemodulateInputs {
   MaterialImages material;
-  Planes filtered;  ///< 3 planes a signal
-  Planes guides;    ///< of the frame
+  Planes filtered;     ///< 3 planes a signal
+  Planes guides;       ///< of the frame
+  Planes lightGain{};  ///< of light_gain; empty: light is not given back
 };
 
 struct RemodulateExact {

@@ -10,7 +10,7 @@ using namespace quell::tests;
 
 namespace {
 
-constexpr double kFullTile = double(QUELL_CHANGE_TILE) * QUELL_CHANGE_TILE;
+constexpr double kFullTile = double(QUELL_TILE) * QUELL_TILE;
 // Of noise alone, after this many frames; 0.006 of the tiles above a weight of 0.2 and a mean of 0.003 measured.
 constexpr int kNoiseFrames = 24;
 constexpr double kNoticedShare = 0.02;

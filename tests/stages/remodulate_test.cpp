@@ -76,6 +76,28 @@ TEST_CASE("remodulate leaves the linear image of jittered rays to antialiasing")
   CHECK_FALSE(remodulate.harness().hasPort("linear"));
 }
 
+TEST_CASE("remodulate gives light back") {
+  const auto giveBack = [](const MaterialVariant& variant, RemodulateTo to) -> CaseMaker {
+    return [variant, to](const CaseOptions& options) {
+      return std::make_unique<RemodulateCase>(options, variant, to, LightLoss::GivenBack);
+    };
+  };
+  checkSizes(giveBack(kTwoSignals, RemodulateTo::Antialiasing));
+  checkHoles(giveBack(kFullMaterial, RemodulateTo::Outputs));
+  checkWorkGroups(giveBack(kTwoSignals, RemodulateTo::Antialiasing), {"denoised"});
+}
+
+TEST_CASE("remodulate with a gain of 0 changes no bit") {
+  for (const CaseOptions& options : bothMappings()) {
+    RemodulateCase left(options, kTwoSignals),
+        givenBack(options, kTwoSignals, RemodulateTo::Antialiasing, LightLoss::GivenBack);
+    fill(givenBack.inputs.lightGain, 0.0f);
+    left.uploadAndRun();
+    givenBack.uploadAndRun();
+    CHECK(sameBits(left.linear(), givenBack.linear()));
+  }
+}
+
 TEST_CASE("remodulate reads and writes every layout") {
   checkLayouts(maker(kFullMaterial, RemodulateTo::Outputs), outputLayouts());
 }

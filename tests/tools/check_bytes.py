@@ -12,7 +12,7 @@ import sys
 
 WIDTH, HEIGHT = 64, 48
 FRAMES = 2
-RECORDS = ",surfaces,changeSums,changeSumsPrev,recentChange,recentChangePrev,changeWeights,gramTiles,fitRecords,"
+RECORDS = ",surfaces,changeSums,changeSumsPrev,recentChange,recentChangePrev,changeWeights,lightSums,lightGain,gramTiles,fitRecords,"
 TOLERANCE = 0.05  # of the declared bytes
 TILES = 64  # bytes: where surfaces end within a row of tiles
 LONG = ["--set", "temporalVarianceFrames=1"]  # every history is long enough for the variance over time

@@ -1,10 +1,9 @@
-// What the stages that follow changes of light share: settings and the grid of tiles.
+// What the stages that follow changes of light share: their settings.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <quell/image_view.hpp>
 
+#include "host/stages/tiles.hpp"
 #include "kernels/change_params.h"
 
 namespace quell {
@@ -20,9 +19,5 @@ struct ChangeDetection {
 };
 
 ChangeParams makeChangeParams(const ChangeDetection& detection, Size size);
-/// Work-items of a kernel that takes one a tile.
-std::array<std::size_t, 2> tileRange(const ChangeParams& params);
-/// Tiles of an image, all signals together.
-int changeTileCount(Size size, int signals);
 
 }  // namespace quell

@@ -1,13 +1,8 @@
-#include "host/stages/change_tiles.hpp"
+#include "host/stages/change_detection.hpp"
 
 #include "host/core/schedule.hpp"
 
 namespace quell {
-namespace {
-
-int tilesAlong(int pixels) { return (pixels + QUELL_CHANGE_TILE - 1) / QUELL_CHANGE_TILE; }
-
-}  // namespace
 
 ChangeParams makeChangeParams(const ChangeDetection& detection, Size size) {
   ChangeParams params{};
@@ -23,14 +18,6 @@ ChangeParams makeChangeParams(const ChangeDetection& detection, Size size) {
   params.momentsLeastWeight = static_cast<float>(detection.momentsLeastWeight);
   params.mostWeight = static_cast<float>(detection.mostWeight);
   return params;
-}
-
-std::array<std::size_t, 2> tileRange(const ChangeParams& params) {
-  return {static_cast<std::size_t>(params.tilesX), static_cast<std::size_t>(params.tilesY)};
-}
-
-int changeTileCount(Size size, int signals) {
-  return tilesAlong(size.width) * tilesAlong(size.height) * signals;
 }
 
 }  // namespace quell
