@@ -82,13 +82,13 @@ QUELL_INLINE void addSurfaceTap(PreviousPlanes previous, AccumulateNoisyParams p
   const intL same = wanted && taps.inFrame[i] &&
                     sameHistory(params.reprojection, surface, objectId, position, normal,
                                 previous.objectIds + offset, taps.plan, limitSquared);
-  *met = *met || (same && taps.weight[i] > 0.0f);
   *turn = addNormal(*turn, same ? taps.weight[i] : ZERO_LANES, normal);
   UNROLL_ON_GPU
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL weight =
         taps.weight[i] * gatherLanes(previous.guides + (QUELL_GUIDE_WEIGHT + s) * stride + offset, taps.plan);
     const intL accepted = same && weight > 0.0f;
+    *met = *met || accepted;
     history[s] = addTap(history[s], accepted ? weight : ZERO_LANES, taps.plan, stride,
                         previous.irradiance + 3 * s * stride + offset,
                         previous.moments + QUELL_MOMENT_PLANES * s * stride + offset,
@@ -230,7 +230,7 @@ __kernel void accumulate_noisy(STAGE_ARGUMENTS(ACCUMULATE_NOISY) AccumulateNoisy
     mask[s] = inside ? (intL)(QUELL_PREV_IN_FRAME) : (intL)(0);
   }
   const intL wanted = inside && surface.valid;
-  intL met = (intL)(0);  // lanes whose surface was in the frame before
+  intL met = (intL)(0);  // lanes that have a history in any signal
   Turn turn = beginTurn(params.reprojection, planes, surface, xPrev, yPrev);
   if (anyLane(wanted)) {
     UNROLL_ON_GPU

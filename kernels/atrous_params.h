@@ -21,6 +21,6 @@ typedef struct AtrousParams {
 QUELL_NAMESPACE_END
 
 // Added to the tolerated difference in luminance, so that it is never 0 (luminance).
-#define QUELL_LEAST_LUMINANCE_STEP 1e-6f
+#define QUELL_LEAST_LUMINANCE_STEP 1e-10f
 
 #endif

@@ -39,7 +39,7 @@ __kernel void background(STAGE_ARGUMENTS(BACKGROUND) BackgroundParams params) {
   const float3L radiance = clamp3(backgroundRadiance(images, x, y, lanes), 0.0f, QUELL_MAX_RADIANCE);
 #if ANTIALIAS
   if (params.finish == 0 || isNearSurface(surfaces, planes, x, y))
-    storeLanes3(radiance, denoised, index, stride);
+    storeLanes3(radiance, beforeAntialiasing, index, stride);
   if (params.finish != 0) storeLanes3(radiance, antialiased, index, stride);
 #endif
 #if LINEAR_FORMAT

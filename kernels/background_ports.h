@@ -12,7 +12,7 @@
 #define BACKGROUND_PORTS(PORT, IMAGE, OUTPUT)                                            \
   LIGHT_IMAGES(IMAGE, 1)                                                                 \
   SURFACES_PORT(PORT)                                                                    \
-  PORT(denoised,    WRITE, FLOAT, 3, antialiasBackground ? 1 : NEAR_SURFACES, ANTIALIAS) \
+  PORT(beforeAntialiasing,    WRITE, FLOAT, 3, antialiasBackground ? 1 : NEAR_SURFACES, ANTIALIAS) \
   PORT(antialiased, WRITE, FLOAT, 3, antialiasBackground ? 0 : 1,           ANTIALIAS)   \
   OUTPUT(linear, LINEAR, 1, ALWAYS)                                                      \
   OUTPUT(display, DISPLAY, antialiasBackground ? 0 : 1, ALWAYS)

@@ -68,7 +68,7 @@ __kernel void remodulate(STAGE_ARGUMENTS(REMODULATE) RemodulateParams params) {
   STORE_PIXELS(LINEAR, radianceOut, linearData, params.outputs.linear, x, y, lanes);
 #endif
 #if WRITE_PLANES
-  storeLanes3(radianceOut, denoised, index, stride);
+  storeLanes3(radianceOut, beforeAntialiasing, index, stride);
 #elif DISPLAY_FORMAT
   STORE_PIXELS(DISPLAY, encodeDisplay3(radianceOut), displayData, params.outputs.display, x, y, lanes);
 #endif

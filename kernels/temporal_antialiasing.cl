@@ -55,7 +55,7 @@ typedef struct Neighbourhood {
 
 // Bounds over the 3x3 neighbours. At the border those outside stand back for the centre; `atBorder` is constant, so
 // that the inside of the image pays nothing for it.
-QUELL_INLINE Neighbourhood boundsAround(__global const float* denoised, PlaneParams planes, int x, int y,
+QUELL_INLINE Neighbourhood boundsAround(__global const float* radiance, PlaneParams planes, int x, int y,
                                         float3L centre, int atBorder) {
   const int index = planeIndex(planes, x, y);
   const intL column = x + LANE_INDEX;
@@ -65,7 +65,7 @@ QUELL_INLINE Neighbourhood boundsAround(__global const float* denoised, PlanePar
   result.box = result.cross;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
-      float3L neighbour = toYCoCg(loadLanes3(denoised, index + dy * planes.pitch + dx, planes.stride));
+      float3L neighbour = toYCoCg(loadLanes3(radiance, index + dy * planes.pitch + dx, planes.stride));
       if (atBorder) {
         const intL inside = column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
                             (intL)(y + dy) < planes.height;
@@ -105,14 +105,14 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
                                         TemporalAntialiasingParams params) {
   BEGIN_PIXELS(params.planes);
   if (params.antialiasBackground == 0) LEAVE_OUT_BACKGROUND(NOTHING_ELSE)  // the stage background has done it
-  const float3L newest = loadLanes3(denoised, index, stride);
+  const float3L newest = loadLanes3(beforeAntialiasing, index, stride);
   const float3L centre = toYCoCg(newest);
   const int atBorder = x == 0 || y == 0 || x + QUELL_LANES >= planes.width || y == planes.height - 1;
   Neighbourhood around;
   if (atBorder) {
-    around = boundsAround(denoised, planes, x, y, centre, 1);
+    around = boundsAround(beforeAntialiasing, planes, x, y, centre, 1);
   } else {
-    around = boundsAround(denoised, planes, x, y, centre, 0);
+    around = boundsAround(beforeAntialiasing, planes, x, y, centre, 0);
   }
   const Bounds box = around.box;
   const Bounds cross = around.cross;

@@ -10,7 +10,7 @@
   OPTION(SKIP) OPTION(ANTIALIAS_LINEAR) SIZE(QUELL_SIGNALS) SIZE(surfaceItems)
 
 #define TEMPORAL_ANTIALIASING_PORTS(PORT, IMAGE, OUTPUT)                    \
-  PORT(denoised,         READ,     FLOAT, 3,             ALL,       ALWAYS) \
+  PORT(beforeAntialiasing,         READ,     FLOAT, 3,             ALL,       ALWAYS) \
   PORT(antialiasedPrev,  PREVIOUS, FLOAT, 3,             HISTORIES, ALWAYS) \
   PORT(pixelPrev,        READ,     FLOAT, 2,             ALL,       ALWAYS) \
   PORT(reprojectionMask, READ,     UCHAR, QUELL_SIGNALS, PLANES(1), ALWAYS) \

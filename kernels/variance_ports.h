@@ -13,7 +13,7 @@
 #define VARIANCE_PORTS(PORT, IMAGE, OUTPUT)                                                                                    \
   PORT(moments,       READ,  FLOAT, QUELL_MOMENT_PLANES * QUELL_SIGNALS,  ALL,                                   ALWAYS)       \
   PORT(historyLength, READ,  UCHAR, QUELL_SIGNALS,                        ALL,                                   ALWAYS)       \
-  PORT(guides,        READ,  FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS), SHORT_HISTORIES * PLANES(3 + QUELL_SIGNALS), ALWAYS) \
+  PORT(guides,        READ,  FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS), STOP_LUMINANCE ? PLANES(QUELL_SIGNALS) + SHORT_HISTORIES * PLANES(3) : SHORT_HISTORIES * PLANES(3 + QUELL_SIGNALS), ALWAYS) \
   PORT(viewDepth,     READ,  FLOAT, 1,                                    SHORT_HISTORIES,                       ALWAYS)       \
   PORT(irradiance,    READ,  FLOAT, 3 * QUELL_SIGNALS,                    ALL,                                   STOP_LUMINANCE) \
   PORT(stopLuminance, WRITE, FLOAT, QUELL_SIGNALS,                        ALL,                                   STOP_LUMINANCE) \

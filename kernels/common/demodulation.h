@@ -3,8 +3,8 @@
 //
 // A channel whose factor is below QUELL_LEAST_FACTOR is weak: what light there is in it comes by other ways than the
 // factor tells (a clear coat, or the mirror, glass and metal of renderers that write the diffuse colour alone). If not all
-// channels are weak, it is divided by the least factor. If all are, nothing is known to divide by, and light is filtered
-// as it is. Which channels are weak makes kinds of pixels, whose lights have different units: with one signal, filters
+// channels are weak, it is divided by the largest factor, so that its light has the size of the others'. If all are,
+// nothing is known to divide by, and light is filtered as it is. Which channels are weak makes kinds of pixels, whose lights have different units: with one signal, filters
 // and history keep them apart (filteredNormal() in common/filter_input.h). Of two signals each has a factor of its own,
 // which leaves nothing to a weak channel: it passes through, and counts for filters as grey.
 #ifndef QUELL_COMMON_DEMODULATION_H
@@ -45,8 +45,13 @@ QUELL_INLINE intL weakChannels(float3L factor) {
 
 // Divisor of each channel, positive.
 QUELL_INLINE float3L divisorOf(float3L factor) {
-  return select3(weakChannels(factor) == QUELL_ALL_WEAK, splat3(1.0f),
-                 clamp3(factor, QUELL_LEAST_FACTOR, QUELL_MOST_FACTOR));
+  const floatL largest = maxLanes(maxLanes(factor.x, factor.y), factor.z);
+  float3L divisor;
+  divisor.x = factor.x < QUELL_LEAST_FACTOR ? largest : factor.x;
+  divisor.y = factor.y < QUELL_LEAST_FACTOR ? largest : factor.y;
+  divisor.z = factor.z < QUELL_LEAST_FACTOR ? largest : factor.z;
+  return select3(largest < QUELL_LEAST_FACTOR, splat3(1.0f),
+                 clamp3(divisor, QUELL_LEAST_FACTOR, QUELL_MOST_FACTOR));
 }
 
 // Radiance without emission, in [0, 65504]; 0 where either is not finite.

@@ -20,6 +20,6 @@
 // Bits of the reprojection mask, one plane per signal.
 #define QUELL_TAP_ACCEPTED(i) (1 << (i))  // bilinear tap i shows the same surface
 #define QUELL_PREV_IN_FRAME 16            // the pixel lay inside the frame before
-#define QUELL_HISTORY_REJECTED 32         // a surface that met another one in the frame before
+#define QUELL_HISTORY_REJECTED 32         // a surface without any history there
 
 #endif

@@ -57,7 +57,7 @@ void BackgroundCase::upload() {
   uploadImage(m_harness, &Frame::emission, inputs.emission);
   m_harness.upload("surfaces", surfaces);
   const Planes untouched(size(), 3, -1.0f);
-  m_harness.upload("denoised", untouched);
+  m_harness.upload("beforeAntialiasing", untouched);
   m_harness.upload("antialiased", untouched);
   m_harness.clearOutput(&Output::linear);
   m_harness.clearOutput(&Output::display);
@@ -74,7 +74,7 @@ Comparison BackgroundCase::compare() {
   comparePixels(comparison, "antialiased", antialiased(), exact.linear, &surface, nullptr, lightUnit());
   forEachPixel(
       size(), [&](int x, int y) { surface.at(0, x, y) = char(!isBackground(x, y) || !isNearSurface(x, y)); });
-  comparePixels(comparison, "denoised", denoised(), exact.linear, &surface, nullptr, lightUnit());
+  comparePixels(comparison, "beforeAntialiasing", denoised(), exact.linear, &surface, nullptr, lightUnit());
   return comparison;
 }
 

@@ -88,7 +88,7 @@ bool Holes::isKept(const std::string& port, int plane, int x, int y) const {
   if (isGuides(port))
     return plane >= QUELL_GUIDE_WEIGHT ||
            (m_motion && plane >= QUELL_GUIDE_NORMAL && plane < QUELL_GUIDE_NORMAL + 3);
-  if (port == "variance" || port == "denoised") return isNearSurface(x, y);
+  if (port == "variance" || port == "beforeAntialiasing") return isNearSurface(x, y);
   return port == "viewDepth" || port == "reprojectionMask" || port == "historyLength" ||
          port == "historyLengthPrev";
 }

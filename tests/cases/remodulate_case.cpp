@@ -54,8 +54,8 @@ Comparison RemodulateCase::compare() {
   if (m_to == RemodulateTo::Outputs) {
     compareOutput(comparison, m_harness, &Output::display, exact.encoded, &exact.undecided);
   } else {
-    comparePixels(comparison, "denoised", m_harness.download("denoised"), exact.linear, &exact.undecided,
-                  &exact.magnitude, lightUnit());
+    comparePixels(comparison, "beforeAntialiasing", m_harness.download("beforeAntialiasing"), exact.linear,
+                  &exact.undecided, &exact.magnitude, lightUnit());
   }
   return comparison;
 }

@@ -30,7 +30,7 @@ TemporalAntialiasingCase::TemporalAntialiasingCase(const CaseOptions& options, b
 }
 
 void TemporalAntialiasingCase::upload() {
-  m_harness.upload("denoised", inputs.denoised);
+  m_harness.upload("beforeAntialiasing", inputs.denoised);
   m_harness.upload("antialiasedPrev", inputs.antialiasedPrev);
   m_harness.upload("pixelPrev", inputs.pixelPrev);
   m_harness.upload("reprojectionMask", inputs.reprojectionMask);

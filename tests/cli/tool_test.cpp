@@ -82,8 +82,9 @@ TEST_CASE("denoise dumps intermediate buffers", "[cli]") {
     return readJson(json).at("output_hash");
   };
   const auto plain = hashOf({});
-  CHECK(hashOf({"--dump", "encoded,historyLength,guides", "--dump", "fitRecords", "--exr"}) == plain);
-  const io::Image encoded = io::readExr(out + "/encoded_0000.exr");
+  CHECK(hashOf({"--dump", "beforeAntialiasing,historyLength,guides", "--dump", "fitRecords", "--exr"}) ==
+        plain);
+  const io::Image encoded = io::readExr(out + "/beforeAntialiasing_0000.exr");
   CHECK(encoded.width == 40);
   CHECK(encoded.height == 30);
   // Without history antialiasing leaves the picture as it is; that one is stored as half.
@@ -107,18 +108,18 @@ TEST_CASE("buffers are dumped whole or not at all, and only those that there are
     return more;
   };
   using Catch::Contains;
-  CHECK_THAT(complaintOf(denoise({"--dump", "encoded"}), text), Contains("--output"));
-  CHECK_THAT(complaintOf(denoise({"--dump", "encoded,nothing", "--output", out}), text),
+  CHECK_THAT(complaintOf(denoise({"--dump", "beforeAntialiasing"}), text), Contains("--output"));
+  CHECK_THAT(complaintOf(denoise({"--dump", "beforeAntialiasing,nothing", "--output", out}), text),
              Contains("keptBuffers") && Contains("nothing") && Contains("antialiased"));
   CHECK(fs::is_empty(out));
   CHECK(quell(denoise({"--dump", "list"})) == 0);
 
-  fs::create_directory(out + "/encoded_0001.exr");
-  fs::create_directory(out + "/encoded_0001.exr/in_the_way");
-  CHECK_THAT(complaintOf(denoise({"--dump", "encoded", "--output", out}), text),
-             Contains("encoded_0001.exr"));
-  CHECK(io::readExr(out + "/encoded_0000.exr").width == 40);
-  CHECK(fs::exists(out + "/encoded_0001.exr/in_the_way"));
+  fs::create_directory(out + "/beforeAntialiasing_0001.exr");
+  fs::create_directory(out + "/beforeAntialiasing_0001.exr/in_the_way");
+  CHECK_THAT(complaintOf(denoise({"--dump", "beforeAntialiasing", "--output", out}), text),
+             Contains("beforeAntialiasing_0001.exr"));
+  CHECK(io::readExr(out + "/beforeAntialiasing_0000.exr").width == 40);
+  CHECK(fs::exists(out + "/beforeAntialiasing_0001.exr/in_the_way"));
   for (const auto& entry : fs::directory_iterator(out))
     CHECK_THAT(entry.path().extension().string(), Catch::Equals(".exr") || Catch::Equals(".png"));
 }

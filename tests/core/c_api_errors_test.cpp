@@ -73,8 +73,8 @@ TEST_CASE("NULL beside a handle is refused by name", "[core][c]") {
   refused(quellPrepare(made, &frame, nullptr), "output");
   refused(quellDenoise(made, &frame, &output, 1, nullptr, nullptr), "waitList");
   refused(quellReadBuffer(made, nullptr, nullptr, 0, nullptr), "name");
-  refused(quellReadBuffer(made, "denoised", nullptr, 1, nullptr), "values");
-  refused(quellReadBuffer(made, "denoised", nullptr, 0, nullptr), "content");
+  refused(quellReadBuffer(made, "beforeAntialiasing", nullptr, 1, nullptr), "values");
+  refused(quellReadBuffer(made, "beforeAntialiasing", nullptr, 0, nullptr), "content");
   refused(quellGetMemoryUse(made, nullptr), "use");
   refused(quellGetTimings(made, nullptr), "timings");
   refused(quellGetDenoiserSettings(made, nullptr), "settings");

@@ -50,17 +50,17 @@ TEST_CASE("wait lists work through the C API, and the event is optional", "[core
 }
 
 TEST_CASE("intermediate buffers come through the C API", "[core][c]") {
-  CDenoiser c({}, 0, QUELL_TIMERS_OFF, "denoised,irradiance");
+  CDenoiser c({}, 0, QUELL_TIMERS_OFF, "beforeAntialiasing,irradiance");
   c.run(0, kLastFrame);
   Options options = testOptions();
-  options.keptBuffers = {"denoised"};
+  options.keptBuffers = {"beforeAntialiasing"};
   SmallDenoiser small({}, options);
   small.run(0, kLastFrame);
-  const std::vector<float> expected = small.denoiser.readBuffer("denoised").values;
+  const std::vector<float> expected = small.denoiser.readBuffer("beforeAntialiasing").values;
 
   quell_buffer_content content;
   QUELL_INIT(content);
-  REQUIRE(quellReadBuffer(c.denoiser.get(), "denoised", nullptr, 0, &content) == QUELL_SUCCESS);
+  REQUIRE(quellReadBuffer(c.denoiser.get(), "beforeAntialiasing", nullptr, 0, &content) == QUELL_SUCCESS);
   CHECK(content.width == small.buffers.frame.size.width);
   CHECK(content.height == small.buffers.frame.size.height);
   REQUIRE(content.planes == 3);
@@ -68,9 +68,9 @@ TEST_CASE("intermediate buffers come through the C API", "[core][c]") {
   const auto read = [&](const char* name, std::size_t capacity) {
     return quellReadBuffer(c.denoiser.get(), name, values.data(), capacity, &content);
   };
-  REQUIRE(read("denoised", values.size()) == QUELL_SUCCESS);
+  REQUIRE(read("beforeAntialiasing", values.size()) == QUELL_SUCCESS);
   CHECK(values == expected);
-  checkError(read("denoised", values.size() - 1), QUELL_INVALID_ARGUMENT, "capacity");
+  checkError(read("beforeAntialiasing", values.size() - 1), QUELL_INVALID_ARGUMENT, "capacity");
   checkError(read("nothing", values.size()), QUELL_INVALID_ARGUMENT, "name");
   CHECK_THAT(quellErrorMessage(), Catch::Contains("irradiance"));
 }

@@ -61,10 +61,10 @@ TEST_CASE("a kept buffer holds its content although later stages have run", "[co
   Settings plain;
   plain.set("taa", "off");
   SmallDenoiser expected({}, testOptions(), 0, plain);
-  SmallDenoiser small({}, keeping({"denoised", "irradiance"}));
+  SmallDenoiser small({}, keeping({"beforeAntialiasing", "irradiance"}));
   for (int number = 0; number < 3; ++number) {
     small.run(number);
-    CHECK(pixelsOf(small.denoiser.readBuffer("denoised")) == expected.run(number).linear.pixels);
+    CHECK(pixelsOf(small.denoiser.readBuffer("beforeAntialiasing")) == expected.run(number).linear.pixels);
   }
 }
 
@@ -99,24 +99,24 @@ TEST_CASE("all buffers of every method may be kept, at the cost of memory alone"
 }
 
 TEST_CASE("buffers that are unknown, not kept or not there yet are refused", "[core]") {
-  SmallDenoiser small({}, keeping({"denoised"}));
+  SmallDenoiser small({}, keeping({"beforeAntialiasing"}));
   const auto read = [&](const char* name) { return [&, name] { small.denoiser.readBuffer(name); }; };
-  const Refusal early{ErrorCode::NotPrepared, "readBuffer", "denoised", "a frame", "none"};
-  checkRefused(early, read("denoised"));
+  const Refusal early{ErrorCode::NotPrepared, "readBuffer", "beforeAntialiasing", "a frame", "none"};
+  checkRefused(early, read("beforeAntialiasing"));
   small.run(0);
-  CHECK_NOTHROW(read("denoised")());
+  CHECK_NOTHROW(read("beforeAntialiasing")());
   checkRefused({ErrorCode::InvalidArgument, "readBuffer", "variance", "keptBuffers", "share"},
                read("variance"));
   checkRefused({ErrorCode::InvalidArgument, "readBuffer", "name", "antialiased", "nothing"}, read("nothing"));
   small.denoiser.resetHistory();
-  checkRefused(early, read("denoised"));
+  checkRefused(early, read("beforeAntialiasing"));
 }
 
 TEST_CASE("prepare() refuses to keep what the method does not have and says what it has", "[core]") {
   OpenDevice device;
   const FrameBuffers buffers(device, {});
   Denoiser denoiser(device.context, device.device, device.queue, Settings(),
-                    keeping({"denoised", "nothing"}));
+                    keeping({"beforeAntialiasing", "nothing"}));
   CHECK(denoiser.bufferNames().empty());
   const auto prepare = [&] { denoiser.prepare(buffers.frame, buffers.output); };
   checkRefused({ErrorCode::InvalidArgument, "prepare", "options.keptBuffers", "antialiased", "nothing"},

@@ -162,7 +162,6 @@ History gatherHistory(const AccumulateNoisyInputs& inputs, PixelOracle& oracle, 
     history.weight += weight;
     history.mask |= QUELL_TAP_ACCEPTED(tap.index);
   }
-  if (normalWeight == 0.0) history.mask |= QUELL_HISTORY_REJECTED;
   if (history.weight == 0.0) return history;
   history.irradiance /= history.weight;
   for (double& moment : history.moments) moment /= history.weight;
@@ -234,6 +233,13 @@ void storeSurface(AccumulateNoisyOutputs<double>& outputs, int x, int y, const S
   if (!inputs.objectId.empty()) outputs.objectIds.at(0, x, y) = inputs.objectId.at(x, y, 0);
 }
 
+// Where no signal has accepted a tap, all say so.
+void markRejected(ExactPlanes& mask, int x, int y) {
+  for (int signal = 0; signal < mask.count; ++signal)
+    if (mask.at(signal, x, y) != QUELL_PREV_IN_FRAME) return;
+  for (int signal = 0; signal < mask.count; ++signal) mask.at(signal, x, y) += QUELL_HISTORY_REJECTED;
+}
+
 AccumulateNoisyExact emptyOutputs(Size size, int signals) {
   return {{ExactPlanes(size, 3 * signals), ExactPlanes(size, signals),
            ExactPlanes(size, QUELL_GUIDE_WEIGHT + signals), ExactPlanes(size, 2), ExactPlanes(size, signals),
@@ -266,6 +272,7 @@ AccumulateNoisyExact accumulateNoisyOracle(const AccumulateNoisyInputs& inputs, 
       oracle.undecided = oracle.undecided || material.undecided;
     }
     storeSurface(exact.outputs, x, y, surface, inputs);
+    if (place.inside && surface.valid) markRejected(exact.outputs.reprojectionMask, x, y);
     exact.outputs.pixelPrev.at(0, x, y) = place.pixel.x();
     exact.outputs.pixelPrev.at(1, x, y) = place.pixel.y();
     exact.undecided.at(0, x, y) = oracle.undecided;

