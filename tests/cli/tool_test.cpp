@@ -84,13 +84,13 @@ TEST_CASE("denoise dumps intermediate buffers", "[cli]") {
   const auto plain = hashOf({});
   CHECK(hashOf({"--dump", "beforeAntialiasing,historyLength,guides", "--dump", "fitRecords", "--exr"}) ==
         plain);
-  const io::Image encoded = io::readExr(out + "/beforeAntialiasing_0000.exr");
-  CHECK(encoded.width == 40);
-  CHECK(encoded.height == 30);
-  // Without history antialiasing leaves the picture as it is; that one is stored as half.
-  const io::Image display = io::readExr(out + "/display_0000.exr");
-  for (std::size_t i = 0; i < display.pixels.size(); ++i)
-    REQUIRE(encoded.pixels[i] == Approx(display.pixels[i]).epsilon(1.0 / 2048.0).margin(1e-7));
+  const io::Image dumped = io::readExr(out + "/beforeAntialiasing_0000.exr");
+  CHECK(dumped.width == 40);
+  CHECK(dumped.height == 30);
+  // It is the linear output, which is stored as half.
+  const io::Image linear = io::readExr(out + "/denoised_0000.exr");
+  for (std::size_t i = 0; i < linear.pixels.size(); ++i)
+    REQUIRE(dumped.pixels[i] == Approx(linear.pixels[i]).epsilon(1.0 / 2048.0).margin(1e-7));
   const io::Image length = io::readExr(out + "/historyLength_0001.exr");
   CHECK(length.channels == 1);
   CHECK(*std::max_element(length.pixels.begin(), length.pixels.end()) == 2.0f);  // of two frames
