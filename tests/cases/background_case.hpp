@@ -24,7 +24,7 @@ class BackgroundCase : public StageCase {
   void upload() override;
   Comparison compare() override;
   double tolerance() const override { return kBackgroundTolerance + storageError(m_layout); }
-  Planes denoised() const { return m_harness.download("denoised"); }
+  Planes denoised() const { return m_harness.download("beforeAntialiasing"); }
   Planes antialiased() const { return m_harness.download("antialiased"); }
 
  protected:
