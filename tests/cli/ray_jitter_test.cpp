@@ -25,7 +25,7 @@ TEST_CASE("rays through pixel centres have no offset, nor those whose jitter the
   for (const bool jitter : {false, true}) {
     const auto sequence = analytic(jitter);
     CHECK(cli::rayOffsetPx(sequence->read(1)) < 0.02);
-    CHECK(cli::hasJitteredRays(*sequence) == jitter);
+    CHECK(sequence->jittered() == jitter);
     CHECK(cli::defaultSettings("quell", *sequence).get("jitteredRays") == (jitter ? 1.0 : 0.0));
   }
 }

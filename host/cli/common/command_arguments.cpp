@@ -7,8 +7,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "host/cli/common/ray_jitter.hpp"
-
 namespace quell::cli {
 
 void refuse(const char* command, const std::string& option, const std::string& expected,
@@ -126,7 +124,7 @@ bool hasSetting(const std::string& method, const std::string& setting) {
 
 Settings defaultSettings(const std::string& method, const io::FrameSequence& sequence) {
   Settings settings(method);
-  if (hasSetting(method, "jitteredRays") && hasJitteredRays(sequence)) settings.set("jitteredRays", "on");
+  if (hasSetting(method, "jitteredRays") && sequence.jittered()) settings.set("jitteredRays", "on");
   const std::optional<io::HistoryLimits> limits = sequence.historyLimits();
   if (!limits) return settings;
   // Published with the sequence, so better than any default.

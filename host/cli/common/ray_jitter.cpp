@@ -7,9 +7,6 @@ namespace {
 
 // Pixels between those that are looked at, along each axis.
 constexpr int kStride = 5;
-// Mean distance up to which rays count as centred, pixels: positions in half precision are off by a few hundredths, rays
-// that go anywhere in their pixel by .38.
-constexpr double kCentredPx = 0.15;
 
 // Nothing for what is behind the camera or not finite.
 std::optional<double> offsetAt(const io::FrameData& frame, int x, int y) {
@@ -48,10 +45,6 @@ double rayOffsetPx(const io::FrameData& frame) {
       ++count;
     }
   return count > 0 ? sum / count : 0.0;
-}
-
-bool hasJitteredRays(const io::FrameSequence& sequence) {
-  return sequence.jittered() || rayOffsetPx(sequence.read(sequence.frames().front())) > kCentredPx;
 }
 
 }  // namespace quell::cli

@@ -9,8 +9,8 @@ namespace quell::cli {
 /// sample of the pixels, in pixels. 0 where there are no positions.
 double rayOffsetPx(const io::FrameData& frame);
 
-/// Whether the files say that rays are jittered, or the positions of the first frame show it: most renderers jitter every
-/// sample and say so nowhere.
-bool hasJitteredRays(const io::FrameSequence& sequence);
+/// Mean distance up to which rays count as centred, pixels: positions in half precision are off by a few hundredths, rays
+/// that go anywhere in their pixel by .38. Most renderers jitter every sample and say so nowhere.
+constexpr double kCentredRaysPx = 0.15;
 
 }  // namespace quell::cli

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "host/cli/common/noise_watch.hpp"
 #include "host/cli/common/normal_check.hpp"
 #include "host/cli/common/progress.hpp"
+#include "host/cli/common/ray_jitter.hpp"
 
 namespace quell::cli {
 namespace {
@@ -39,7 +41,10 @@ class WatchedSequence final : public io::FrameSequence {
   io::Reference reference(int frame, io::ReferenceKind kind) const override {
     return m_sequence->reference(frame, kind);
   }
-  bool jittered() const override { return m_sequence->jittered(); }
+  bool jittered() const override {
+    if (!m_jittered) m_jittered = m_sequence->jittered() || showsJitter();
+    return *m_jittered;
+  }
   std::optional<io::HistoryLimits> historyLimits() const override { return m_sequence->historyLimits(); }
 
   io::FrameData read(int frame) const override {
@@ -57,7 +62,13 @@ class WatchedSequence final : public io::FrameSequence {
   }
 
  private:
+  bool showsJitter() const {
+    return rayOffsetPx(m_sequence->read(m_sequence->frames().front())) > kCentredRaysPx;
+  }
+
   std::unique_ptr<io::FrameSequence> m_sequence;
+  // Found on first use: it takes a frame.
+  mutable std::optional<bool> m_jittered;
   // Reading changes what was seen and said, not what is read.
   mutable NoiseWatch m_noise;
   mutable std::set<Kind> m_told;
