@@ -46,23 +46,17 @@ References::References(const FrameSequence& sequence) : m_sequence(sequence) {
   const bool centre = anyFrameHas(sequence, ReferenceKind::Centre);
   const bool antialiased = anyFrameHas(sequence, ReferenceKind::Antialiased);
   const bool wanted = !centre || sequence.jittered();
-  m_linearKind = antialiased && wanted ? ReferenceKind::Antialiased : ReferenceKind::Centre;
-  m_displayKind = m_linearKind;
+  m_kind = antialiased && wanted ? ReferenceKind::Antialiased : ReferenceKind::Centre;
 }
 
-bool References::has(int frame) const {
-  return m_sequence.hasReference(frame, m_linearKind) && m_sequence.hasReference(frame, m_displayKind);
-}
+bool References::has(int frame) const { return m_sequence.hasReference(frame, m_kind); }
 
-const std::optional<FrameReferences>& References::of(int frame) {
-  if (m_frame == frame) return m_references;
-  m_references.reset();
-  if (has(frame)) {
-    m_references = FrameReferences{m_sequence.reference(frame, m_linearKind), std::nullopt};
-    if (m_displayKind != m_linearKind) m_references->another = m_sequence.reference(frame, m_displayKind);
-  }
+const std::optional<Reference>& References::of(int frame) {
+  if (m_frame == frame) return m_reference;
+  m_reference.reset();
+  if (has(frame)) m_reference = m_sequence.reference(frame, m_kind);
   m_frame = frame;
-  return m_references;
+  return m_reference;
 }
 
 }  // namespace quell::io

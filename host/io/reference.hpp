@@ -1,4 +1,4 @@
-// Converged renderings to compare a frame with, and which of them fits which output.
+// Converged renderings to compare a frame with, and which of them fits a sequence.
 #pragma once
 
 #include <optional>
@@ -34,36 +34,25 @@ struct Reference {
 /// Throws Error(InvalidArgument) unless the sequence has this reference.
 void requireReference(const FrameSequence& sequence, int frame, ReferenceKind kind);
 
-/// What the outputs of one frame are compared with.
-struct FrameReferences {
-  Reference linear;                  ///< for the noisy input, too
-  std::optional<Reference> another;  ///< for the display output where that takes another kind
-  const Reference& display() const { return another ? *another : linear; }
-};
-
-/// The references of a sequence: which kinds its outputs are compared with, and those of the latest frame.
+/// The references of a sequence: which kind its frames are compared with, and that of the latest frame.
 class References {
  public:
   /// Looks which files there are.
   explicit References(const FrameSequence& sequence);
 
-  /// Of pixel centres if any frame has such a reference, unless rays are jittered, whose linear output is antialiased, too.
-  ReferenceKind linearKind() const { return m_linearKind; }
-  /// After temporal antialiasing: antialiased where rays are jittered and any frame has such a reference, else as for
-  /// linear output.
-  ReferenceKind displayKind() const { return m_displayKind; }
+  /// Of pixel centres if any frame has such a reference, unless rays are jittered, whose outputs are both antialiased.
+  ReferenceKind kind() const { return m_kind; }
 
-  /// True if the frame has what both outputs are compared with; reads no pixels.
+  /// Reads no pixels.
   bool has(int frame) const;
   /// Nothing where has() is false. Throws what FrameSequence::reference() throws.
-  const std::optional<FrameReferences>& of(int frame);
+  const std::optional<Reference>& of(int frame);
 
  private:
   const FrameSequence& m_sequence;
-  ReferenceKind m_linearKind;
-  ReferenceKind m_displayKind;
+  ReferenceKind m_kind;
   std::optional<int> m_frame;
-  std::optional<FrameReferences> m_references;
+  std::optional<Reference> m_reference;
 };
 
 }  // namespace quell::io

@@ -183,9 +183,9 @@ std::string csvLines(const BenchRun& run, const BenchResult& result) {
   addTimes("sum", sum.stage, sum.time, sum.bytesMoved, kNoStage);
   addTimes("frame", "frame", timings.frame, sum.bytesMoved, kNoStage);
   for (const FrameErrors& errors : run.report.errors) {
-    addErrors("noisy", errors.frame, errors.noisy, errors.linearReference);
-    addErrors("linear", errors.frame, errors.linear, errors.linearReference);
-    addErrors("display", errors.frame, errors.display, errors.displayReference);
+    addErrors("noisy", errors.frame, errors.noisy, errors.reference);
+    addErrors("linear", errors.frame, errors.linear, errors.reference);
+    addErrors("display", errors.frame, errors.display, errors.reference);
   }
   return lines;
 }
@@ -196,7 +196,7 @@ std::string errorsText(const std::vector<FrameErrors>& errors) {
   for (const FrameErrors& frame : errors)
     text +=
         fmt::format("  {}: {} ({})", frame.frame, fixed(frame.linear.at(headline.key), headline.digits, "-"),
-                    toString(frame.linearReference));
+                    toString(frame.reference));
   return text;
 }
 

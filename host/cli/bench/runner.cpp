@@ -77,7 +77,7 @@ int lastReferenceFrame(const BenchInput& input) {
 void keepInputPictures(std::vector<BenchPicture>& pictures, const BenchInput& input, int frame) {
   const std::string name = input.sequence->name();
   const io::FrameData data = input.sequence->read(frame);
-  const io::Reference reference = io::References(*input.sequence).of(frame)->linear;
+  const io::Reference reference = *io::References(*input.sequence).of(frame);
   pictures.push_back({name, frame, "noisy", metrics::encodeForDisplay(data.noisy())});
   pictures.push_back(
       {name, frame, "reference", metrics::encodeForDisplay(metrics::meanOfHalves(reference.a, reference.b))});

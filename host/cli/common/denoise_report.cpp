@@ -112,10 +112,9 @@ std::string errorsText(const std::vector<FrameErrors>& errors) {
     lines += fmt::format("{:>{}}", metric.column, columnWidth(metric));
   lines += fmt::format("{:>{}}\n", "reference", kReferenceWidth);
   for (const FrameErrors& frame : errors) {
-    const io::ReferenceKind linear = frame.linearReference;
-    lines += figuresText(fmt::format("frame {} noisy input", frame.frame), frame.noisy, linear);
-    lines += figuresText(fmt::format("frame {} denoised", frame.frame), frame.linear, linear);
-    lines += figuresText(fmt::format("frame {} display", frame.frame), frame.display, frame.displayReference);
+    lines += figuresText(fmt::format("frame {} noisy input", frame.frame), frame.noisy, frame.reference);
+    lines += figuresText(fmt::format("frame {} denoised", frame.frame), frame.linear, frame.reference);
+    lines += figuresText(fmt::format("frame {} display", frame.frame), frame.display, frame.reference);
   }
   return lines;
 }
@@ -123,14 +122,10 @@ std::string errorsText(const std::vector<FrameErrors>& errors) {
 }  // namespace
 
 FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denoised,
-                         const io::FrameReferences& references) {
-  const io::Reference &linear = references.linear, &display = references.display();
-  return {frame.number,
-          metrics::compareToReference(frame.noisy(), false, linear.a, linear.b),
-          metrics::compareToReference(denoised.linear, false, linear.a, linear.b),
-          metrics::compareToReference(denoised.display, true, display.a, display.b),
-          linear.kind,
-          display.kind};
+                         const io::Reference& reference) {
+  return {frame.number, metrics::compareToReference(frame.noisy(), false, reference.a, reference.b),
+          metrics::compareToReference(denoised.linear, false, reference.a, reference.b),
+          metrics::compareToReference(denoised.display, true, reference.a, reference.b), reference.kind};
 }
 
 metrics::TrackedFrame trackFrame(const io::FrameData& frame, const DenoisedFrame& denoised) {
@@ -181,8 +176,8 @@ json toJson(const DenoiseReport& report) {
   if (!report.errors.empty()) result["errors"] = json::array();
   for (const FrameErrors& frame : report.errors) {
     result["errors"].push_back({{"frame", frame.frame},
-                                {"linear_reference", toString(frame.linearReference)},
-                                {"display_reference", toString(frame.displayReference)},
+                                {"linear_reference", toString(frame.reference)},
+                                {"display_reference", toString(frame.reference)},
                                 {"noisy", figuresJson(frame.noisy)},
                                 {"linear", figuresJson(frame.linear)},
                                 {"display", figuresJson(frame.display)}});

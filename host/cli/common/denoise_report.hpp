@@ -18,18 +18,15 @@ namespace quell::cli {
 /// Figures of one frame that has a reference.
 struct FrameErrors {
   int frame = 0;
-  metrics::ErrorFigures noisy;    ///< the input itself
-  metrics::ErrorFigures linear;   ///< before TAA
-  metrics::ErrorFigures display;  ///< after TAA, where that is on
-  io::ReferenceKind linearReference =
-      io::ReferenceKind::Centre;  ///< what input and linear output are compared with
-  io::ReferenceKind displayReference =
-      io::ReferenceKind::Centre;  ///< what the display output is compared with
+  metrics::ErrorFigures noisy;                              ///< the input itself
+  metrics::ErrorFigures linear;                             ///< before TAA
+  metrics::ErrorFigures display;                            ///< after TAA, where that is on
+  io::ReferenceKind reference = io::ReferenceKind::Centre;  ///< what all three are compared with
 };
 
-/// Compares the input and both outputs of one frame with its references. The input must not be demodulated.
+/// Compares the input and both outputs of one frame with its reference. The input must not be demodulated.
 FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denoised,
-                         const io::FrameReferences& references);
+                         const io::Reference& reference);
 
 /// What the motion-compensated temporal error needs of a frame: the picture before TAA and its guides.
 metrics::TrackedFrame trackFrame(const io::FrameData& frame, const DenoisedFrame& denoised);

@@ -105,7 +105,7 @@ class Demo {
       io::FrameData noisy;
       noisy.number = frame;
       noisy.radiance = pictures.noisy;
-      m_report.errors.push_back(compareFrame(noisy, pictures.denoised, {*reference, std::nullopt}));
+      m_report.errors.push_back(compareFrame(noisy, pictures.denoised, *reference));
     }
     writeSheet(frame,
                comparisonSheet(pictures.noisy, pictures.denoised.display, reference ? &*reference : nullptr));

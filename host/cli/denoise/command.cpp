@@ -108,7 +108,7 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
     if (options.debugTiles) files->writeTiles(number, denoised, session.denoiser().backgroundMap());
     if (const auto& reference = references.of(number)) {
       if (frame.comparable()) report.errors.push_back(compareFrame(frame, denoised, *reference));
-      if (files != nullptr) files->writeComparison(frame, denoised, reference->display());
+      if (files != nullptr) files->writeComparison(frame, denoised, *reference);
     }
     ++report.frames;
     progress.step(fmt::format("frame {}", number));

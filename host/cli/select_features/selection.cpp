@@ -34,9 +34,8 @@ LoadedSequence load(const std::string& directory) {
   std::size_t needed = 0;
   for (const int number : loaded.sequence->frames()) {
     loaded.frames.push_back(loaded.sequence->read(number));
-    std::optional<io::Reference> reference;
-    if (const auto& both = references.of(number)) {
-      reference = both->linear;
+    std::optional<io::Reference> reference = references.of(number);
+    if (reference) {
       needed = loaded.frames.size();
       reference->a = metrics::encodeForDisplay(reference->a);
       if (!reference->b.empty()) reference->b = metrics::encodeForDisplay(reference->b);

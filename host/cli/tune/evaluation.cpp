@@ -67,12 +67,12 @@ class SequenceEvaluator {
                                 input.frames.size(),
                                 {},
                                 true,
-                                m_references.linearKind()});
+                                m_references.kind()});
     for (const int number : input.frames) {
       const auto& reference = m_references.of(number);
       if (!reference) continue;
       result.sequences.back().references.push_back(number);
-      if (reference->linear.b.empty()) result.sequences.back().unbiased = false;
+      if (reference->b.empty()) result.sequences.back().unbiased = false;
     }
   }
 
@@ -134,11 +134,10 @@ class SequenceEvaluator {
   }
 
   void measureErrors(ActiveSetting& one, const io::FrameData& frame) {
-    const auto& references = m_references.of(frame.number);
-    if (!references || !one.measuresErrors) return one.session->run(frame);
-    const io::Reference& linear = references->linear;
+    const auto& reference = m_references.of(frame.number);
+    if (!reference || !one.measuresErrors) return one.session->run(frame);
     one.errors.add(
-        metrics::compareToReference(one.session->denoise(frame).linear, false, linear.a, linear.b));
+        metrics::compareToReference(one.session->denoise(frame).linear, false, reference->a, reference->b));
   }
 
   static void store(std::vector<ActiveSetting>& active) {
