@@ -13,6 +13,7 @@
 #include "tests/cases/change_sums_case.hpp"
 #include "tests/cases/change_weight_case.hpp"
 #include "tests/cases/demodulate_case.hpp"
+#include "tests/cases/firefly_weights_case.hpp"
 #include "tests/cases/fit_case.hpp"
 #include "tests/cases/follow_change_case.hpp"
 #include "tests/cases/gram_solve_case.hpp"
@@ -75,6 +76,7 @@ void addImageStages(std::vector<StageEntry>& entries, const std::string& variant
 // Stages that only know Quell's own planes.
 void addPlaneStages(std::vector<StageEntry>& entries, const std::string& variant, Mapping mapping) {
   const ImageLayout layout = tests::packed(3);
+  entries.push_back(entry<tests::FireflyWeightsCase>("firefly_weights." + variant, mapping, layout));
   entries.push_back(entry<tests::FitCase>("fit." + variant, mapping, layout));
   entries.push_back(entry<tests::WeightedSumCase>("weighted_sum." + variant, mapping, layout));
   entries.push_back(entry<tests::AccumulateFilteredCase>("accumulate_filtered." + variant, mapping, layout));

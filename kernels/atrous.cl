@@ -4,7 +4,8 @@
 //          deviations of the 3x3-prefiltered variance; variance is filtered with squared weights.
 // In:      irradiance (3 planes per signal), its variance of luminance (1 plane per signal; with VARIANCE), guides, view
 //          depth and, with ROUGHNESS_STOP, roughness; with STOP_LUMINANCE the luminance that the stops compare (1 plane per
-//          signal; see variance.cl).
+//          signal; see variance.cl), with TAP_WEIGHTS the weights of pixels, instead of those of the guides: once filtered
+//          a firefly is one no more, and may count again.
 // Out:     irradiance and, with FILTER_VARIANCE, variance, filtered; that is 0 in background next to surfaces.
 // Signals: share the penalties of the surface; each has its own weight, luminance and variance. The roughness stop is
 //          for the glossy signal, or for the only one.
@@ -81,6 +82,7 @@ typedef struct FilterPlanes {
   __global const float* viewDepth;
   __global const float* roughness;
   __global const float* stopLuminance;
+  __global const float* weights;  // one plane a signal
 } FilterPlanes;
 
 // The luminance that edge stops compare: that of the value, or with STOP_LUMINANCE its mean around the pixel.
@@ -123,8 +125,8 @@ QUELL_INLINE void addTap(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, Fi
 #if ROUGHNESS_STOP
     if (s == QUELL_SIGNALS - 1) signalPenalty += roughnessPenalty(centre, loadLanes(from.roughness + index));
 #endif
-    const floatL weight = weightOfPenalty(signalPenalty) *
-                          (spline * loadLanes(from.guides + (QUELL_GUIDE_WEIGHT + s) * stride + index));
+    const floatL weight =
+        weightOfPenalty(signalPenalty) * (spline * loadLanes(from.weights + s * stride + index));
 #if FILTER_VARIANCE
     const floatL variance = loadLanes(from.variance + s * stride + index);
 #else
@@ -164,7 +166,12 @@ __kernel void atrous(STAGE_ARGUMENTS(ATROUS) AtrousParams params) {
   // The prefilter of the variance reads background next to surfaces, in both buffers that iterations write by turns.
   LEAVE_OUT_BACKGROUND(if (FILTER_VARIANCE && params.iteration <= 2)
                            ZERO_NEXT_TO_SURFACES(filteredVariance, QUELL_SIGNALS))
-  const FilterPlanes from = {irradiance, variance, guides, viewDepth, roughness, stopLuminance};
+#if TAP_WEIGHTS
+  __global const float* weights = tapWeights;
+#else
+  __global const float* weights = guides + QUELL_GUIDE_WEIGHT * stride;
+#endif
+  const FilterPlanes from = {irradiance, variance, guides, viewDepth, roughness, stopLuminance, weights};
   const int reach = TAP_RADIUS * params.step;
   const int atBorder =
       x < reach || y < reach || x + QUELL_LANES + reach > planes.width || y + reach >= planes.height;
@@ -173,7 +180,7 @@ __kernel void atrous(STAGE_ARGUMENTS(ATROUS) AtrousParams params) {
   FilterSums sums[QUELL_SIGNALS];
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const float3L value = loadLanes3(irradiance + 3 * s * stride, index, stride);
-    const floatL weight = loadLanes(guides + (QUELL_GUIDE_WEIGHT + s) * stride + index);
+    const floatL weight = loadLanes(weights + s * stride + index);
     sums[s].luminance = stopLuminanceOf(from, value, s * stride + index);
     floatL deviation = ONE_LANES;
     floatL ownVariance = ZERO_LANES;

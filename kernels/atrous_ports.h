@@ -8,13 +8,14 @@
 
 // clang-format off
 #define ATROUS_OPTIONS(OPTION, SIZE)                                                                                           \
-  OPTION(QUELL_SIGNALS) OPTION(VARIANCE) OPTION(STOP_LUMINANCE) OPTION(FILTER_VARIANCE) OPTION(ROUGHNESS_STOP) OPTION(TAP_RADIUS) OPTION(TAP_CORNERS) \
+  OPTION(QUELL_SIGNALS) OPTION(VARIANCE) OPTION(STOP_LUMINANCE) OPTION(FILTER_VARIANCE) OPTION(TAP_WEIGHTS) OPTION(ROUGHNESS_STOP) OPTION(TAP_RADIUS) OPTION(TAP_CORNERS) \
   OPTION(SKIP) SIZE(surfaceItems)
 
 #define ATROUS_PORTS(PORT, IMAGE, OUTPUT)                                                                                  \
   PORT(irradiance,         READ,  FLOAT, 3 * QUELL_SIGNALS,                    ALL,                       ALWAYS)          \
   PORT(variance,           READ,  FLOAT, QUELL_SIGNALS,                        ALL,                       VARIANCE)        \
-  PORT(guides,             READ,  FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS), PLANES(3 + QUELL_SIGNALS), ALWAYS)          \
+  PORT(guides,             READ,  FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS), PLANES(TAP_WEIGHTS ? 3 : 3 + QUELL_SIGNALS), ALWAYS) \
+  PORT(tapWeights,         READ,  FLOAT, QUELL_SIGNALS,                        ALL,                       TAP_WEIGHTS)     \
   PORT(viewDepth,          READ,  FLOAT, 1,                                    ALL,                       ALWAYS)          \
   PORT(roughness,          READ,  FLOAT, 1,                                    ALL,                       ROUGHNESS_STOP)  \
   PORT(stopLuminance,      READ,  FLOAT, QUELL_SIGNALS,                        ALL,                       STOP_LUMINANCE)        \

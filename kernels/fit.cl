@@ -2,12 +2,13 @@
 // Paper:   Koskela et al. 2019, phase II: augmented Householder QR [T + N, z], eq. (4) and (5), stochastic
 //          regularisation with uniform noise N of amplitude epsilon, all colour channels at once.
 // In:      irradiance (3 planes per signal, of which those of QUELL_SIGNAL are fitted) and guides (see
-//          common/guides.h) of this frame; materials (4 planes) where a feature needs them.
+//          common/guides.h) of this frame; materials (4 planes) where a feature needs them; with TAP_WEIGHTS the
+//          weights of pixels, instead of those of the guides.
 // Out:     one record a block: coefficients of all features and the scaling of the unbounded ones (fit_params.h).
 // Grid:    blocks are displaced by one of 16 offsets a frame; pixels outside the image are mirrored.
 // Order:   every sum over the block runs over 256 logical lanes (pixel index modulo 256), each in ascending order,
 //          then in a halving tree: the result does not depend on the work-group size.
-// Departures: pixels are weighted by guides.weight (0: hole or background), rows by its square root; positions are
+// Departures: pixels are weighted (0: hole or background, little: firefly), rows by its square root; positions are
 //          anchored at the block's minimum before they are squared, which spans the same space and needs no world
 //          origin; the offsets are 16 evenly spread ones instead of random ones; the noise differs from block to
 //          block; linearly dependent columns get no coefficient instead of a division by zero.
@@ -177,7 +178,7 @@ __kernel
   const int number = (int)get_group_id(0);
   const Block block = {number, params.blockOffsetX + (number % params.blocksX) * QUELL_BLOCK_EDGE,
                        params.blockOffsetY + (number / params.blocksX) * QUELL_BLOCK_EDGE};
-  const FitInputs inputs = {irradiance, guides, materials, params.planes, params.viewAxis};
+  const FitInputs inputs = FIT_INPUTS(params);
   __global float* record = fitRecords + number * QUELL_FIT_RECORD;
 #if SKIP && FIT_GROUP_SIZE == 1
   // A work-group would have to agree on it before a barrier; one work-item does not.

@@ -1,7 +1,8 @@
 // gram_sums: sums over a tile of all products of features and colours: everything a least-squares fit needs.
 // Paper:   the normal equations of Koskela et al. 2019, eq. (2); the features of its eq. (1) as in fit.cl.
 // In:      irradiance (3 planes per signal, of which those of QUELL_SIGNAL are fitted) and guides (see
-//          common/guides.h) of this frame; materials (4 planes) where a feature needs them.
+//          common/guides.h) of this frame; materials (4 planes) where a feature needs them; with TAP_WEIGHTS the
+//          weights of pixels, instead of those of the guides.
 // Out:     per tile the upper triangle of the weighted Gram matrix of [features | colour] and the range of the
 //          unbounded variables, one plane per number (gram_params.h); they are scaled to [0, 1] by it, as in fit.cl.
 // Tiles:   GRAM_TILE_EDGE pixels square. With GRAM_MIRROR pixels outside the image are mirrored (blocks of 32, as in
@@ -175,7 +176,7 @@ __kernel void gram_sums(STAGE_ARGUMENTS(GRAM_SUMS) GramParams params) {
     storeEmptyTile(gramTiles, params.tileStride, number);
     return;
   }
-  const FitInputs inputs = {irradiance, guides, materials, params.planes, params.viewAxis};
+  const FitInputs inputs = FIT_INPUTS(params);
   Range range;
   findRange(inputs, tile, 0, 0, &range);
 
@@ -254,7 +255,7 @@ __kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_
   const int id = (int)get_local_id(0);
   const int number = (int)get_group_id(0);
   const Tile tile = tileOf(params, number);
-  const FitInputs inputs = {irradiance, guides, materials, params.planes, params.viewAxis};
+  const FitInputs inputs = FIT_INPUTS(params);
   __local float exchange[BOUNDS > 0 ? BOUNDS * GRAM_GROUP_SIZE : 1];
   __local float staged[STAGED_PIXELS * QUELL_GRAM_COLUMNS];
 

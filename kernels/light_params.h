@@ -20,6 +20,10 @@ QUELL_NAMESPACE_END
 #define QUELL_LIGHT_SQUARES 1  // of the squared luminance of the filtered irradiance
 #define QUELL_LIGHT_RECORD 2
 
+// A tile counts as having lost at most so many times the light that is left: more is a firefly, of which those in the
+// corner of four tiles would pass for what all have lost.
+#define QUELL_LIGHT_MOST_LOST 2.0f
+
 // Of the rows of a tile one in so many is summed: luminance of the history comes averaged over 3x3 pixels.
 #define QUELL_LIGHT_ROW_STEP 2
 

@@ -3,7 +3,7 @@
 // In:      luminance of the history (1 plane per signal, its mean over 3x3 pixels, see variance.cl), filtered irradiance
 //          (3 planes per signal), guides (the weights alone).
 // Out:     per signal and tile, over every second row, weighted sums: of the luminance of the history less that of the
-//          filtered irradiance, and of the square of the latter.
+//          filtered irradiance, at most QUELL_LIGHT_MOST_LOST times the latter; and of the square of the latter.
 // Border:  pixels outside the image and those without a sample are left out.
 // Grid:    one work-item a tile.
 #include "common/guides.h"
@@ -13,6 +13,7 @@
 
 typedef struct LightSums {
   float8 lost;
+  float8 left;  // luminance of the filtered irradiance
   float8 squares;
 } LightSums;
 
@@ -24,6 +25,7 @@ QUELL_INLINE LightSums addRow(LightSums sums, __global const float* history, __g
   const float8 luminance =
       LUMINANCE_OF(vload8(0, filtered), vload8(0, filtered + stride), vload8(0, filtered + 2 * stride));
   sums.lost += counts ? weight * (vload8(0, history) - luminance) : (float8)(0.0f);
+  sums.left += counts ? weight * luminance : (float8)(0.0f);
   sums.squares += counts ? weight * luminance * luminance : (float8)(0.0f);
   return sums;
 }
@@ -44,7 +46,7 @@ __kernel void light_sums(STAGE_ARGUMENTS(LIGHT_SUMS) LightParams params) {
   const int8 inside = x + (int8)(0, 1, 2, 3, 4, 5, 6, 7) < planes.width;
   const int tiles = params.tilesX * params.tilesY;
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    LightSums sums = {(float8)(0.0f), (float8)(0.0f)};
+    LightSums sums = {(float8)(0.0f), (float8)(0.0f), (float8)(0.0f)};
     for (int row = 0; row < QUELL_TILE; row += QUELL_LIGHT_ROW_STEP) {
       if (y + row >= planes.height) break;
       const int index = planeIndex(planes, x, y + row);
@@ -52,6 +54,7 @@ __kernel void light_sums(STAGE_ARGUMENTS(LIGHT_SUMS) LightParams params) {
                     guides + (QUELL_GUIDE_WEIGHT + s) * stride + index, stride, inside);
     }
     const int record = s * tiles + tileY * params.tilesX + tileX;
-    vstore2((float2)(total(sums.lost), total(sums.squares)), record, lightSums);
+    const float lost = min(total(sums.lost), QUELL_LIGHT_MOST_LOST * total(sums.left));
+    vstore2((float2)(lost, total(sums.squares)), record, lightSums);
   }
 }

@@ -3,14 +3,17 @@
 //          "when few samples have been accumulated at a given pixel, its variance is instead computed using its
 //          neighbors by a bilateral filter with feature weights", 7x7 pixels.
 // In:      moments of luminance (2 planes per signal), history length (bytes per signal), guides, view depth; with
-//          STOP_LUMINANCE irradiance (3 planes per signal).
+//          STOP_LUMINANCE or FIREFLIES irradiance (3 planes per signal).
 // Out:     variance (1 plane per signal), >= 0; with OF_MEAN that of the accumulated irradiance: divided by the
 //          history length. 0 in background next to surfaces.
 //          With STOP_LUMINANCE the luminance of the irradiance over 3x3 pixels (1 plane per signal), for the edge stops of
 //          the first iterations of atrous: one pixel's is too noisy to tell an edge.
+//          With FIREFLIES the weights of the guides, less where one sample of rare brightness makes the light (1 plane per
+//          signal; see common/fireflies.h). 0 in background.
 // Border:  taps outside the image are left out.
 // Departures: the spatial estimate is raised by temporalFrames / history length: the moments of one frame know less.
 #include "common/edge_stops.h"
+#include "common/fireflies.h"
 #include "common/luminance.h"
 #include "common/surfaces.h"
 #include "variance_ports.h"
@@ -77,9 +80,33 @@ QUELL_INLINE floatL prefilterLuminance(__global const float* irradiance, __globa
 }
 #endif
 
+#if FIREFLIES
+// Pixels of which one sample may make the light: as far as the moments tell, whose newest sample weighs at least
+// momentsLeastWeight, or because lately they have had far less.
+QUELL_INLINE intL suspectFireflies(floatL first, floatL second, floatL luminance, intL length,
+                                   VarianceParams params) {
+  const floatL samples = minLanes(TO_FLOAT(length), (floatL)(params.momentsFrames));
+  const intL oneSample = second > QUELL_FIREFLY_SHARE_OF_SAMPLES * samples * first * first;
+  const intL faded = luminance > params.fireflyRatio * first;
+  return length >= QUELL_FIREFLY_LEAST_HISTORY && (oneSample || faded);
+}
+#endif
+
+// What filters must find in background: no weight, and next to surfaces no variance.
+QUELL_INLINE void storeBackground(VarianceParams params, int x, int y, __global float* variance,
+                                  __global float* tapWeights, __global const uchar* surfaces) {
+  const PlaneParams planes = params.planes;
+  const int stride = planes.stride;
+  const int index = planeIndex(planes, x, y);
+  ZERO_NEXT_TO_SURFACES(variance, QUELL_SIGNALS)
+#if FIREFLIES
+  storeZeroWeights(tapWeights, index, stride);
+#endif
+}
+
 __kernel void variance(STAGE_ARGUMENTS(VARIANCE) VarianceParams params) {
   BEGIN_PIXELS(params.planes);
-  LEAVE_OUT_BACKGROUND(ZERO_NEXT_TO_SURFACES(variance, QUELL_SIGNALS))
+  LEAVE_OUT_BACKGROUND(storeBackground(params, x, y, variance, tapWeights, surfaces))
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     __global const float* signalMoments = moments + QUELL_MOMENT_PLANES * s * stride;
     __global const float* weights = guides + (QUELL_GUIDE_WEIGHT + s) * stride;
@@ -87,8 +114,9 @@ __kernel void variance(STAGE_ARGUMENTS(VARIANCE) VarianceParams params) {
     storeLanes(prefilterLuminance(irradiance + 3 * s * stride, weights, planes, x, y),
                stopLuminance + s * stride + index);
 #endif
-    floatL result = momentsToVariance(loadLanes(signalMoments + QUELL_MOMENT_FIRST * stride + index),
-                                      loadLanes(signalMoments + QUELL_MOMENT_SECOND * stride + index));
+    const floatL first = loadLanes(signalMoments + QUELL_MOMENT_FIRST * stride + index);
+    const floatL second = loadLanes(signalMoments + QUELL_MOMENT_SECOND * stride + index);
+    floatL result = momentsToVariance(first, second);
     const intL length = loadByteLanes(historyLength + s * stride + index);
     intL isShort = length < params.temporalFrames && x + LANE_INDEX < planes.width;
     // Background has no history either: a second look keeps it from the costly path.
@@ -100,6 +128,14 @@ __kernel void variance(STAGE_ARGUMENTS(VARIANCE) VarianceParams params) {
       const floatL raised = (float)params.temporalFrames / TO_FLOAT(maxLanesInt(length, (intL)(1)));
       result = isShort ? spatial * raised : result;
     }
+#if FIREFLIES
+    __global const float* signal = irradiance + 3 * s * stride;
+    const floatL own = luminance(loadLanes3(signal, index, stride));
+    const intL suspects = suspectFireflies(first, second, own, length, params);
+    storeLanes(loadLanes(weights + index) *
+                   fireflyShare(suspects, own, params.fireflyRatio, signal, weights, planes, x, y),
+               tapWeights + s * stride + index);
+#endif
 #if OF_MEAN
     result /= TO_FLOAT(maxLanesInt(length, (intL)(1)));
 #endif

@@ -10,6 +10,10 @@ QUELL_NAMESPACE_BEGIN
 typedef struct VarianceParams {
   PlaneParams planes;
   EdgeStopParams stops;
+  QuellFloat
+      fireflyRatio;  // times as bright as the brightest around: a firefly, if one sample makes it; >= 1
+  QuellFloat
+      momentsFrames;  // samples that moments of long histories are worth: 1 / least weight of the newest
   QuellInt temporalFrames;  // history length from which on the variance over time is trusted
 } VarianceParams;
 
@@ -17,5 +21,8 @@ QUELL_NAMESPACE_END
 
 // Half of the edge of the spatial estimate's window, pixels (Flatval 2020, ch. 3.2.2 after Schied et al. 2017: 7x7).
 #define QUELL_VARIANCE_RADIUS 3
+
+// The second moment of n samples is n times the squared first if one of them has all the light. So much of that is enough.
+#define QUELL_FIREFLY_SHARE_OF_SAMPLES 0.5f
 
 #endif

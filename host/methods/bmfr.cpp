@@ -8,6 +8,7 @@
 #include "host/stages/accumulate_filtered.hpp"
 #include "host/stages/accumulate_noisy.hpp"
 #include "host/stages/blended_sum.hpp"
+#include "host/stages/firefly_weights.hpp"
 #include "host/stages/fit.hpp"
 #include "host/stages/gram_solve.hpp"
 #include "host/stages/gram_sums.hpp"
@@ -39,12 +40,12 @@ void requireImages(const FitFeatures& features, const Frame& frame) {
 void addFit(Schedule& table, const Configuration& configuration, const BmfrSettings& s, int signal) {
   const GramWindows windows = makeWindows(s);
   const FitFeatures& features = s.features;
-  const bool skip = s.common.skip;
+  const bool skip = s.common.skip, tapWeights = s.fireflyRatio > 0.0;
   if (s.solver == Solver::Gram) {
-    add(table, GramSums(configuration, windows, features, signal, skip));
+    add(table, GramSums(configuration, windows, features, signal, tapWeights, skip));
     add(table, GramSolve(configuration, windows, s.noiseAmplitude, features));
   } else {
-    add(table, Fit(configuration, features, {s.noiseAmplitude, s.featureStorage, signal, skip}));
+    add(table, Fit(configuration, features, {s.noiseAmplitude, s.featureStorage, signal, tapWeights, skip}));
   }
   if (windows.overlap) {
     add(table, BlendedSum(configuration, windows, features, signal, skip));
@@ -61,6 +62,7 @@ Schedule makeSchedule(const Configuration& configuration, const BmfrSettings& s)
   accumulation.skip = s.common.skip;
   accumulation.antialiasBackground = antialiases(configuration, s.common.antialiasing);
   add(table, AccumulateNoisy(configuration, accumulation));
+  if (s.fireflyRatio > 0.0) add(table, FireflyWeights(configuration, s.fireflyRatio, s.common.skip));
   if (s.features.needMaterial()) add(table, MaterialGuides(s.features));
   for (int signal = 0; signal < signalCount(configuration.frame); ++signal)
     addFit(table, configuration, s, signal);

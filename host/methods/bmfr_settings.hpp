@@ -17,6 +17,7 @@ constexpr std::array<const char*, 2> choiceNames(Windows) { return {"blocks", "o
 struct BmfrSettings {
   double noisyLeastWeight;
   double filteredLeastWeight;
+  double fireflyRatio;
   FitFeatures features = FitFeatures();
   double noiseAmplitude;
   Solver solver;
@@ -33,6 +34,7 @@ inline SettingTable<BmfrSettings> bmfrSettings() {
             "least weight of the newest noisy sample", "Koskela et al. 2019, phase I");
   table.add("filteredLeastWeight", &S::filteredLeastWeight, 0.1, {0.001, 1.0},
             "least weight of the newest filtered frame", "Koskela et al. 2019, phase III");
+  addFireflyRatio(table, &S::fireflyRatio).paper(0.0);
   table.add(
       "features", &S::features, kDefaultFeatures,
       "features of the fit, separated by commas: the constant 1 (implied), normal n (or nx, ny, nz), "

@@ -104,6 +104,23 @@ typename SettingTable<S>::Row& addMomentsLeastWeight(SettingTable<S>& table, dou
 }
 
 template <class S>
+typename SettingTable<S>::Row& addFireflyRatio(SettingTable<S>& table, double S::*member) {
+  return table.add(
+      "fireflyRatio", member, 4.0, {0.0, 1e6, "luminance of the brightest pixel around"},
+      "brightness from which on a pixel whose light comes from one sample has less weight in the "
+      "filter; the history keeps it; 0: none has",
+      "ours, kernels/common/fireflies.h; docs/quell-sweep.md");
+}
+
+template <class S>
+typename SettingTable<S>::Row& addKeepLight(SettingTable<S>& table, bool S::*member) {
+  return table.add(
+      "keepLight", member, true,
+      "give back the light that the filter loses, from the means of history and filtered over windows",
+      "ours, kernels/light_gain.cl; docs/quell-sweep.md");
+}
+
+template <class S>
 typename SettingTable<S>::Row& addTemporalVarianceFrames(SettingTable<S>& table, int S::*member,
                                                          int byDefault, const char* source) {
   return table.add("temporalVarianceFrames", member, byDefault, {1, 255, "frames"},

@@ -2,6 +2,8 @@
 
 #include "host/core/frame_images.hpp"
 #include "host/stages/background.hpp"
+#include "host/stages/light_gain.hpp"
+#include "host/stages/light_sums.hpp"
 #include "host/stages/remodulate.hpp"
 #include "host/stages/temporal_antialiasing.hpp"
 
@@ -18,6 +20,11 @@ std::vector<Wire> atrousWires(const FilterLevel& in, const FilterLevel& out) {
           {"variance", in.variance},
           {"filteredIrradiance", out.irradiance},
           {"filteredVariance", out.variance}};
+}
+
+void addLightGain(Schedule& table, const Configuration& configuration, const std::string& filtered) {
+  add(table, LightSums(configuration), {{"filtered", filtered}});
+  add(table, LightGain(configuration));
 }
 
 bool antialiases(const Configuration& configuration, const AntialiasingSettings& antialiasing) {

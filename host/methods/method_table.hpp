@@ -29,6 +29,10 @@ FilterLevel levelAfter(int iteration);
 /// The wires of an iteration of the stage atrous.
 std::vector<Wire> atrousWires(const FilterLevel& in, const FilterLevel& out);
 
+/// Adds the lines that measure what light the filter has lost, in the buffer `filtered`; the stage variance has written
+/// the luminance of the history.
+void addLightGain(Schedule& table, const Configuration& configuration, const std::string& filtered);
+
 /// Whether background takes part in temporal antialiasing.
 enum class BackgroundAntialiasing {
   IfJittered,  ///< elsewhere the display shows it as it comes

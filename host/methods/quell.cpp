@@ -10,8 +10,6 @@
 #include "host/stages/change_sums.hpp"
 #include "host/stages/change_weight.hpp"
 #include "host/stages/follow_change.hpp"
-#include "host/stages/light_gain.hpp"
-#include "host/stages/light_sums.hpp"
 #include "host/stages/variance.hpp"
 
 namespace quell {
@@ -61,6 +59,7 @@ void addFilter(Schedule& table, const Configuration& configuration, const QuellS
   setup.skip = s.common.skip;
   for (int i = 1; i <= s.iterations; ++i) {
     setup.iteration = i;
+    setup.tapWeights = i == 1 && s.fireflyRatio > 0.0;
     setup.stopLuminance = i <= s.prefilteredIterations;
     setup.luminanceSigma = setup.stopLuminance ? s.prefilteredSigma : s.luminanceSigma;
     setup.filterVariance = i < s.iterations;  // nothing reads that of the last
@@ -76,14 +75,13 @@ Schedule makeSchedule(const Configuration& configuration, const QuellSettings& s
   addAccumulation(table, configuration, s);
   Variance::Setup variance{s.stops, s.temporalVarianceFrames, s.common.skip};
   variance.ofMean = true;
+  variance.fireflyRatio = s.fireflyRatio;
+  variance.momentsLeastWeight = s.momentsLeastWeight;
   variance.stopLuminance = s.prefilteredIterations > 0 || s.keepLight;
   add(table, Variance(configuration, variance));
   addFilter(table, configuration, s);
   const std::string filtered = levelAfter(s.iterations).irradiance;
-  if (s.keepLight) {
-    add(table, LightSums(configuration), {{"filtered", filtered}});
-    add(table, LightGain(configuration));
-  }
+  if (s.keepLight) addLightGain(table, configuration, filtered);
   addOutputStages(table, configuration, filtered, s.common.antialiasing, s.common.skip,
                   BackgroundAntialiasing::IfJittered, s.keepLight);
   return table;

@@ -9,6 +9,7 @@ struct QuellSettings {
   int historyFrames;
   int stillHistoryFrames;
   double momentsLeastWeight;
+  double fireflyRatio;
   int temporalVarianceFrames;
   double mostWeight;
   double changeThreshold;
@@ -34,6 +35,7 @@ inline SettingTable<QuellSettings> quellSettings() {
   table.add("stillHistoryFrames", &S::stillHistoryFrames, 32, {1, 255, "frames"},
             "longest history of what does not move on the screen; at least historyFrames counts", sweep);
   addMomentsLeastWeight(table, &S::momentsLeastWeight);
+  addFireflyRatio(table, &S::fireflyRatio);
   addTemporalVarianceFrames(table, &S::temporalVarianceFrames, 3, sweep);
   table.add("mostWeight", &S::mostWeight, 1.0, {0.0, 1.0},
             "largest weight of the newest sample, where the light changes; 0: change is not followed", sweep);
@@ -61,9 +63,7 @@ inline SettingTable<QuellSettings> quellSettings() {
             "roughness below which luminanceSigma shrinks, to its half at roughness 0; 0, or no roughness "
             "image: nowhere",
             sweep);
-  table.add("keepLight", &S::keepLight, true,
-            "give back the light that the filter loses, from the means of history and filtered over windows",
-            "ours, kernels/light_gain.cl; docs/quell-sweep.md");
+  addKeepLight(table, &S::keepLight);
   table.include(&S::common, commonSettings());
   return table;
 }

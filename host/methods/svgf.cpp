@@ -27,7 +27,11 @@ Schedule makeSchedule(const Configuration& configuration, const SvgfSettings& s)
   accumulation.antialiasBackground = antialiases(configuration, s.common.antialiasing);
   add(table, AccumulateNoisy(configuration, accumulation),
       {{"irradiancePrev", fedBack ? level(1).irradiance : "irradiance"}});
-  add(table, Variance(configuration, {s.stops, s.temporalVarianceFrames, skip, false}));
+  Variance::Setup variance{s.stops, s.temporalVarianceFrames, skip};
+  variance.fireflyRatio = s.fireflyRatio;
+  variance.momentsLeastWeight = s.momentsLeastWeight;
+  variance.stopLuminance = s.keepLight;
+  add(table, Variance(configuration, variance));
   Atrous::Setup filter;
   filter.stops = s.stops;
   filter.luminanceSigma = s.luminanceSigma;
@@ -35,11 +39,14 @@ Schedule makeSchedule(const Configuration& configuration, const SvgfSettings& s)
   filter.skip = skip;
   for (int i = 1; i <= s.iterations; ++i) {
     filter.iteration = i;
+    filter.tapWeights = i == 1 && s.fireflyRatio > 0.0;
     filter.filterVariance = i < s.iterations;  // nothing reads that of the last
     add(table, Atrous(configuration, filter), atrousWires(level(i - 1), level(i)));
   }
-  addOutputStages(table, configuration, level(s.iterations).irradiance, s.common.antialiasing, skip,
-                  BackgroundAntialiasing::Always);
+  const std::string filtered = level(s.iterations).irradiance;
+  if (s.keepLight) addLightGain(table, configuration, filtered);
+  addOutputStages(table, configuration, filtered, s.common.antialiasing, skip, BackgroundAntialiasing::Always,
+                  s.keepLight);
   return table;
 }
 

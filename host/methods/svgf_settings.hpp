@@ -13,10 +13,12 @@ struct SvgfSettings {
   double irradianceLeastWeight;
   double momentsLeastWeight;
   Feedback feedback;
+  double fireflyRatio;
   int temporalVarianceFrames;
   int iterations;
   double luminanceSigma;
   EdgeStops stops;
+  bool keepLight;
   CommonSettings common;
 };
 
@@ -34,6 +36,7 @@ inline SettingTable<SvgfSettings> svgfSettings() {
            "what becomes the history: the first iteration's output or the unfiltered mean",
            "Schied et al. 2017, section 4.3 (first); sweep over four rendered sequences, docs/svgf-sweep.md")
       .paper(Feedback::First);
+  addFireflyRatio(table, &S::fireflyRatio).paper(0.0);
   addTemporalVarianceFrames(table, &S::temporalVarianceFrames, 4, "Schied et al. 2017, section 4.2").paper(4);
   addIterations(table, &S::iterations).paper(5);
   table
@@ -42,6 +45,7 @@ inline SettingTable<SvgfSettings> svgfSettings() {
            "Schied et al. 2017, section 4.4; sweep over four rendered sequences, docs/svgf-sweep.md")
       .paper(4.0);
   table.include(&S::stops, edgeStopSettings(EdgeStops{128.0, 1.0, 0.0}));
+  addKeepLight(table, &S::keepLight).paper(false);
   table.include(&S::common, commonSettings());
   return table;
 }

@@ -13,6 +13,7 @@ Atrous::Atrous(const Configuration& configuration, const Setup& setup) : m_setup
   QUELL_SIGNALS = signalCount(configuration.frame);
   VARIANCE = setup.variance ? 1 : 0;
   STOP_LUMINANCE = setup.stopLuminance ? 1 : 0;
+  TAP_WEIGHTS = setup.tapWeights ? 1 : 0;
   FILTER_VARIANCE = setup.filterVariance ? 1 : 0;
   ROUGHNESS_STOP = configuration.frame.roughness.present() && readsRoughness ? 1 : 0;
   TAP_RADIUS = setup.radius;

@@ -18,7 +18,8 @@ class Atrous : public KernelStage<AtrousOptions, AtrousParams> {
     int iteration = 1;            ///< from 1 on; taps are 2^(iteration - 1) pixels apart
     bool variance = false;        ///< stops on luminance in deviations of this variance
     bool stopLuminance =
-        false;  ///< compares the luminance that the stage variance prefiltered; squared penalty
+        false;                ///< compares the luminance that the stage variance prefiltered; squared penalty
+    bool tapWeights = false;  ///< weights of the stage variance, where fireflies have less
     bool filterVariance = false;  ///< filters it along; only with `variance`
     int radius = 2;               ///< 2: 5x5 taps, 1: 3x3
     bool corners = true;          ///< false: without the four corners of these

@@ -53,6 +53,7 @@ int fitRecordFloats(Size size, const FitFeatures& features) {
 Fit::Fit(const Configuration& configuration, const FitFeatures& features, const Setup& setup)
     : m_setup(setup), m_features(features) {
   setFitOptions<FitOptions>(*this, configuration, features, setup.signal, setup.skip);
+  TAP_WEIGHTS = setup.tapWeights ? 1 : 0;
   FIT_STORAGE_HALF = setup.storage == FeatureStorage::Half ? 1 : 0;
   FIT_UNROLL = configuration.device.isCpu ? 0 : 1;
   recordFloats = fitRecordFloats(configuration.size(), features);

@@ -31,8 +31,9 @@ class Fit : public KernelStage<FitOptions, FitParams> {
   struct Setup {
     double noiseAmplitude = 0.01;  ///< epsilon of the stochastic regularisation, scaled feature units, >= 0
     FeatureStorage storage = FeatureStorage::Float;
-    int signal = 0;     ///< the one that is fitted, 0 or 1
-    bool skip = false;  ///< leaves out blocks of background (where one work-item has a block)
+    int signal = 0;           ///< the one that is fitted, 0 or 1
+    bool tapWeights = false;  ///< weights of the stage firefly_weights
+    bool skip = false;        ///< leaves out blocks of background (where one work-item has a block)
   };
   Fit(const Configuration& configuration, const FitFeatures& features, const Setup& setup);
   std::string label() const override { return name() + signalLabel(m_setup.signal); }

@@ -17,9 +17,10 @@ constexpr std::size_t kGpuGroup = 128;
 QUELL_PORTS(GramSumsOptions, GRAM_SUMS)
 
 GramSums::GramSums(const Configuration& configuration, const GramWindows& windows,
-                   const FitFeatures& features, int signal, bool skip)
+                   const FitFeatures& features, int signal, bool tapWeights, bool skip)
     : m_windows(windows), m_features(features) {
   setFitOptions<GramSumsOptions>(*this, configuration, features, signal, skip);
+  TAP_WEIGHTS = tapWeights ? 1 : 0;
   GRAM_TILE_EDGE = windows.tileEdge;
   GRAM_MIRROR = windows.overlap ? 0 : 1;
   tileFloats = gramTileFloats(windows, configuration.size(), features);

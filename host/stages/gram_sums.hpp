@@ -11,10 +11,10 @@ QUELL_OPTIONS(GramSumsOptions, GRAM_SUMS, "gram_sums")
 /// See kernels/gram_sums.cl for what it computes, from what and after which paper.
 class GramSums : public KernelStage<GramSumsOptions, GramParams> {
  public:
-  /// `signal`: the one that is fitted, 0 or 1; `skip`: leaves out tiles of background (where one
-  /// work-item has a tile).
+  /// `signal`: the one that is fitted, 0 or 1; `tapWeights`: weights of the stage firefly_weights; `skip`: leaves out
+  /// tiles of background (where one work-item has a tile).
   GramSums(const Configuration& configuration, const GramWindows& windows, const FitFeatures& features,
-           int signal, bool skip);
+           int signal, bool tapWeights, bool skip);
   std::string label() const override { return name() + signalLabel(QUELL_SIGNAL); }
   void build(const KernelBuilder& builder) override;
 

@@ -12,6 +12,7 @@ Variance::Variance(const Configuration& configuration, const Setup& setup) : m_s
   QUELL_SIGNALS = signalCount(configuration.frame);
   OF_MEAN = setup.ofMean ? 1 : 0;
   STOP_LUMINANCE = setup.stopLuminance ? 1 : 0;
+  FIREFLIES = setup.fireflyRatio > 0.0 ? 1 : 0;
   ROUGHNESS_STOP = 0;  // moments are of all signals alike
   temporalFrames = setup.temporalFrames;
   setSkipOptions<VarianceOptions>(*this, configuration, setup.skip);
@@ -21,6 +22,8 @@ VarianceParams Variance::params(const FrameRun& run) const {
   VarianceParams params{};
   params.planes = makePlanes(run.frame.size);
   params.stops = makeEdgeStopParams(m_setup.stops);
+  params.fireflyRatio = static_cast<float>(m_setup.fireflyRatio);
+  params.momentsFrames = static_cast<float>(1.0 / m_setup.momentsLeastWeight);
   params.temporalFrames = m_setup.temporalFrames;
   return params;
 }

@@ -18,6 +18,8 @@ class Variance : public KernelStage<VarianceOptions, VarianceParams> {
     bool skip = false;           ///< leaves out background; see kernels/common/surfaces.h
     bool stopLuminance = false;  ///< also writes the luminance for the stops of atrous
     bool ofMean = false;         ///< variance of the mean over the history, else of its samples
+    double fireflyRatio = 0.0;   ///< 1 or more: also writes weights for taps, less for fireflies; 0: does not
+    double momentsLeastWeight = 1.0;  ///< least weight of the newest sample in the moments, (0, 1]
   };
   Variance(const Configuration& configuration, const Setup& setup);
 

@@ -72,7 +72,7 @@ GramParams align(GramParams params, const Size& size) {
 class AlignedGramSums : public GramSums {
  public:
   explicit AlignedGramSums(const Configuration& configuration)
-      : GramSums(configuration, {}, FitFeatures(), 0, false) {}
+      : GramSums(configuration, {}, FitFeatures(), 0, false, false) {}
 
  protected:
   GramParams params(const FrameRun& run) const override {

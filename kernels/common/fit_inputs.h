@@ -19,18 +19,27 @@
 typedef struct FitInputs {
   __global const float* irradiance;
   __global const float* guides;
+  __global const float* weights;  // of pixels in the fit, one plane
   __global const float* materials;
   PlaneParams planes;
   float4 viewAxis;
 } FitInputs;
 
+// Of the kernel's arguments.
+#if TAP_WEIGHTS
+#define FIT_WEIGHTS(planes) (tapWeights + QUELL_SIGNAL * (planes).stride)
+#else
+#define FIT_WEIGHTS(planes) (guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * (planes).stride)
+#endif
+#define FIT_INPUTS(params) \
+  { irradiance, guides, FIT_WEIGHTS((params).planes), materials, (params).planes, (params).viewAxis }
+
 QUELL_INLINE Guide gatherInputs(FitInputs inputs, GatherPlan plan) {
   return gatherGuide(inputs.guides, inputs.materials, inputs.planes, plan);
 }
 
-// Weights of pixels in the fit of QUELL_SIGNAL.
 QUELL_INLINE floatL gatherWeight(FitInputs inputs, GatherPlan plan) {
-  return gatherLanes(inputs.guides + (QUELL_GUIDE_WEIGHT + QUELL_SIGNAL) * inputs.planes.stride, plan);
+  return gatherLanes(inputs.weights, plan);
 }
 
 #if QUELL_SCALED > 0

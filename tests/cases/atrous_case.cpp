@@ -51,6 +51,7 @@ AtrousCase::AtrousCase(const CaseOptions& options, const AtrousVariant& variant)
 
 void AtrousCase::upload() {
   uploadGuides(m_harness, inputs.guides);
+  uploadTapWeights(m_harness, inputs.guides.guides);
   m_harness.upload("irradiance", inputs.irradiance);
   if (inputs.variance.count > 0) m_harness.upload("variance", inputs.variance);
   if (inputs.stopLuminance.count > 0) m_harness.upload("stopLuminance", inputs.stopLuminance);

@@ -61,6 +61,7 @@ void FitCase::useFrame(std::uint32_t frameIndex) {
 void FitCase::upload() {
   m_harness.upload("irradiance", inputs.irradiance);
   m_harness.upload("guides", inputs.guides);
+  uploadTapWeights(m_harness, inputs.guides);
   if (m_features.needMaterial()) m_harness.upload("materials", materialsOf(inputs.guides));
 }
 

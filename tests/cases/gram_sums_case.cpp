@@ -92,6 +92,7 @@ void GramSumsCase::useFrame(std::uint32_t frameIndex) {
 void GramSumsCase::upload() {
   m_harness.upload("irradiance", inputs.irradiance);
   m_harness.upload("guides", inputs.guides);
+  uploadTapWeights(m_harness, inputs.guides);
   if (m_features.needMaterial()) m_harness.upload("materials", materialsOf(inputs.guides));
 }
 

@@ -89,8 +89,8 @@ bool Holes::isKept(const std::string& port, int plane, int x, int y) const {
     return plane >= QUELL_GUIDE_WEIGHT ||
            (m_motion && plane >= QUELL_GUIDE_NORMAL && plane < QUELL_GUIDE_NORMAL + 3);
   if (port == "variance" || port == "beforeAntialiasing") return isNearSurface(x, y);
-  return port == "viewDepth" || port == "reprojectionMask" || port == "historyLength" ||
-         port == "historyLengthPrev";
+  return port == "tapWeights" || port == "viewDepth" || port == "reprojectionMask" ||
+         port == "historyLength" || port == "historyLengthPrev";
 }
 
 void Holes::spoil(StageHarness& harness, const std::string& port, const BasicPlanes<char>& where) const {
@@ -126,6 +126,7 @@ std::optional<float> Holes::promised(const std::string& port, int plane, int x, 
   if (m_finds && isGuides(port) && isKept(port, plane, x, y)) return 0.0f;
   if (m_finds && port == "historyLength") return 0.0f;
   if (m_finds && port == "viewDepth") return cameraDepth;
+  if (port == "tapWeights") return 0.0f;
   const bool ofVariance = port == "variance" || port == "filteredVariance";
   if (ofVariance && zeroesVariance && isNearSurface(x, y)) return 0.0f;
   return std::nullopt;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "host/core/frame_images.hpp"
 #include "kernels/accumulate_noisy_params.h"
 
 namespace quell::tests {
@@ -101,6 +102,12 @@ void compareOutput(Comparison& comparison, const StageHarness& harness, ImageVie
   const ImageView& view = harness.configuration().output.*image;
   if (!gapsUntouched(harness.outputBytes(image), view, exact.size()))
     comparison.include("bytes between pixels", 0, -1, -1, std::numeric_limits<double>::infinity(), 0.0);
+}
+
+void uploadTapWeights(StageHarness& harness, const Planes& guides) {
+  const int signals = signalCount(harness.configuration().frame);
+  if (harness.hasPort("tapWeights"))
+    harness.upload("tapWeights", planesOf(guides, QUELL_GUIDE_WEIGHT, signals));
 }
 
 }  // namespace quell::tests

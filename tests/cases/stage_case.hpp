@@ -101,6 +101,9 @@ double storageError(const ImageLayout& layout);
 /// Size, mapping, work-groups and features of the options, with those images that the features are made of.
 StageSetup makeSetup(const CaseOptions& options);
 
+/// The weights of the guides, where the stage reads such of its own.
+void uploadTapWeights(StageHarness& harness, const Planes& guides);
+
 /// The three colours of one of the caller's images.
 Planes outputPlanes(const StageHarness& harness, ImageView Output::*image);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/common/guides.h"
+#include "tests/cases/firefly_weights_case.hpp"
 #include "tests/support/random_images.hpp"
 
 namespace quell::tests {
@@ -13,6 +14,10 @@ constexpr int kTemporalFrames = 5;  // not the default
 StageSetup makeVarianceSetup(const CaseOptions& options, int signals, VarianceOf of) {
   StageSetup setup = makeSetup(options);
   setFilterMethod(setup, of == VarianceOf::Mean ? "quell" : "svgf", {signals, false});
+  if (of == VarianceOf::Samples) {
+    setup.settings.set("fireflyRatio", 0.0);
+    setup.settings.set("keepLight", 0.0);
+  }
   setup.settings.set("temporalVarianceFrames", kTemporalFrames);
   return setup;
 }
@@ -40,8 +45,12 @@ VarianceCase::VarianceCase(const CaseOptions& options, int signals, VarianceOf o
   inputs.guides = randomGuides({signals, false}, options);
   inputs.moments = randomMoments(options.size, signals, options.seed + 10);
   inputs.historyLength = Planes(options.size, signals);
-  if (of == VarianceOf::Mean)
+  if (of == VarianceOf::Mean) {
     inputs.irradiance = randomPlanes(options.size, 3 * signals, options.seed + 30, 0.0, 8.0);
+    addFireflies(inputs.irradiance, options.seed + 31);
+    inputs.fireflyRatio = settings.get("fireflyRatio");
+    inputs.momentsLeastWeight = settings.get("momentsLeastWeight");
+  }
   Random random(options.seed + 20);
   for (float& length : inputs.historyLength.values)
     length =
@@ -68,9 +77,11 @@ Comparison VarianceCase::compare() {
                          std::max(lightUnit() * lightUnit(), exact.magnitude.at(signal, x, y)));
     });
   }
-  if (inputs.irradiance.count > 0)
+  if (inputs.irradiance.count > 0) {
     comparePixels(comparison, "stop luminance", m_harness.download("stopLuminance"), exact.stopLuminance,
                   nullptr, nullptr, lightUnit());
+    compareTapWeights(comparison, m_harness.download("tapWeights"), exact.tapWeights);
+  }
   return comparison;
 }
 

@@ -11,7 +11,8 @@ namespace quell::tests {
 /// times the normals' power of 100, mostly cancel (1e-6 measured).
 constexpr double kVarianceTolerance = 1e-5;
 
-/// Of the samples, as svgf has it, or of their mean, as quell has it.
+/// Of the samples, as the paper of svgf has it, or of their mean, as quell has it, with weights for taps and luminance
+/// for stops.
 enum class VarianceOf { Samples, Mean };
 
 /// Histories of all lengths over the scene of filter_inputs.hpp.

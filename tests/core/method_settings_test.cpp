@@ -58,13 +58,14 @@ const Readers<QuellSettings> kQuell = {
     READ(historyFrames), READ(stillHistoryFrames), READ(momentsLeastWeight),    READ(temporalVarianceFrames),
     READ(mostWeight),    READ(changeThreshold),    READ(recentChangeThreshold), READ(changeGain),
     READ(changeMemory),  READ(sharpRoughness),     READ(prefilteredIterations), READ(prefilteredSigma),
-    READ(keepLight)};
+    READ(keepLight),     READ(fireflyRatio)};
 const Readers<BmfrSettings> kBmfr = {READ(noisyLeastWeight), READ(filteredLeastWeight),
                                      READ(noiseAmplitude),   READ(solver),
                                      READ(windows),          READ_AS("tileSize", tileSize / 8 - 1),
-                                     READ(featureStorage)};
-const Readers<SvgfSettings> kSvgf = {READ(irradianceLeastWeight), READ(momentsLeastWeight), READ(feedback),
-                                     READ(temporalVarianceFrames)};
+                                     READ(featureStorage),   READ(fireflyRatio)};
+const Readers<SvgfSettings> kSvgf = {
+    READ(irradianceLeastWeight),  READ(momentsLeastWeight), READ(feedback),
+    READ(temporalVarianceFrames), READ(keepLight),          READ(fireflyRatio)};
 const Readers<AtrousSettings> kAtrous = {READ(skip), READ(demodulate)};
 
 template <class S>
@@ -123,10 +124,10 @@ TEST_CASE("choices, texts and numbers arrive as what they stand for", "[core]") 
   CHECK(bmfrSettings().resolve(Settings("bmfr")).features.names() == FitFeatures().names());
 }
 
-TEST_CASE("the paper's values are svgf's alone and arrive", "[core]") {
-  for (const std::string& method : methodNames())
-    for (const SettingDescription& setting : methodSettings(method))
-      CHECK((method == "svgf" || !setting.paper));
+TEST_CASE("the papers' values arrive", "[core]") {
+  Settings bmfr("bmfr");
+  bmfr.usePreset("paper");
+  CHECK(bmfrSettings().resolve(bmfr).fireflyRatio == 0.0);
   Settings settings("svgf");
   settings.usePreset("paper");
   checkValues(svgfSettings(), kSvgf + filterReaders<SvgfSettings>() + commonReaders<SvgfSettings>(),

@@ -19,6 +19,7 @@
 #include "kernels/common/reprojection_params.h"
 #include "kernels/common/types.h"
 #include "kernels/demodulate_params.h"
+#include "kernels/firefly_weights_params.h"
 #include "kernels/fit_params.h"
 #include "kernels/gram_params.h"
 #include "kernels/light_params.h"
@@ -46,6 +47,7 @@ namespace {
   X("background_params.h", BackgroundParams, finish)                                   \
   X("change_params.h", ChangeParams, momentsLeastWeight)                               \
   X("demodulate_params.h", DemodulateParams, images)                                   \
+  X("firefly_weights_params.h", FireflyWeightsParams, fireflyRatio)                    \
   X("fit_params.h", FitParams, noiseAmplitude)                                         \
   X("gram_params.h", GramParams, noiseVariance)                                        \
   X("light_params.h", LightParams, tilesY)                                             \

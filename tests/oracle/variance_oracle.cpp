@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/common/guides.h"
+#include "tests/oracle/firefly_oracle.hpp"
 
 namespace quell::tests {
 namespace {
@@ -54,12 +55,30 @@ double prefilteredLuminance(const VarianceInputs& inputs, int signal, int x, int
     for (int column = std::max(0, x - 1); column <= std::min(size.width - 1, x + 1); ++column) {
       const double weight = (2 - std::abs(column - x)) * (2 - std::abs(row - y)) *
                             double(inputs.guides.guides.at(QUELL_GUIDE_WEIGHT + signal, column, row));
-      const auto channel = [&](int c) { return double(inputs.irradiance.at(3 * signal + c, column, row)); };
-      sum += weight * luminanceOf(channel(0), channel(1), channel(2));
+      sum += weight * luminanceAt(inputs.irradiance, signal, column, row);
       weights += weight;
     }
   }
   return weights > 0.0 ? sum / weights : 0.0;
+}
+
+// Whether one sample may make the light of a pixel: half of what n samples could have at most in their second moment is
+// there, or lately the pixel has had far less than its history holds.
+bool isSuspect(const VarianceInputs& inputs, int signal, int x, int y) {
+  const double length = inputs.historyLength.at(signal, x, y);
+  const double samples = std::min(length, 1.0 / inputs.momentsLeastWeight);
+  const Moments moments = momentsAt(inputs, signal, x, y);
+  const bool oneSample = moments.second > 0.5 * samples * moments.first * moments.first;
+  const bool faded = luminanceAt(inputs.irradiance, signal, x, y) > inputs.fireflyRatio * moments.first;
+  return length >= 4.0 && (oneSample || faded);
+}
+
+double tapWeight(const VarianceInputs& inputs, int signal, int x, int y) {
+  const Planes& guides = inputs.guides.guides;
+  const double share = isSuspect(inputs, signal, x, y)
+                           ? fireflyShare(inputs.irradiance, guides, inputs.fireflyRatio, signal, x, y)
+                           : 1.0;
+  return share * guides.at(QUELL_GUIDE_WEIGHT + signal, x, y);
 }
 
 }  // namespace
@@ -67,11 +86,14 @@ double prefilteredLuminance(const VarianceInputs& inputs, int signal, int x, int
 VarianceExact varianceOracle(const VarianceInputs& inputs) {
   const Size size = inputs.moments.size();
   const int signals = inputs.historyLength.count;
-  VarianceExact exact{ExactPlanes(size, signals), ExactPlanes(size, signals), ExactPlanes(size, signals)};
+  VarianceExact exact{ExactPlanes(size, signals), ExactPlanes(size, signals), ExactPlanes(size, signals),
+                      ExactPlanes(size, signals)};
   for (int signal = 0; signal < signals; ++signal) {
     forEachPixel(size, [&](int x, int y) {
-      if (inputs.irradiance.count > 0)
+      if (inputs.irradiance.count > 0) {
         exact.stopLuminance.at(signal, x, y) = prefilteredLuminance(inputs, signal, x, y);
+        exact.tapWeights.at(signal, x, y) = tapWeight(inputs, signal, x, y);
+      }
       const double length = inputs.historyLength.at(signal, x, y);
       const bool hasSample = inputs.guides.guides.at(QUELL_GUIDE_WEIGHT + signal, x, y) > 0.0f;
       const bool spatial = length < inputs.temporalFrames && hasSample;

@@ -9,10 +9,12 @@ namespace quell::tests {
 struct VarianceInputs {
   Planes moments;        ///< 2 planes a signal
   Planes historyLength;  ///< 1 plane a signal
-  Planes irradiance;     ///< 3 planes a signal; empty: no luminance for stops is asked for
+  Planes irradiance;     ///< 3 planes a signal; empty: neither luminance for stops nor weights are asked for
   FilterGuides guides;
   EdgeStopParams stops{};
   int temporalFrames = 4;
+  double fireflyRatio = 4.0;
+  double momentsLeastWeight = 0.2;
   bool ofMean = false;  ///< variance of the mean over the history, else of its samples
 };
 
@@ -20,6 +22,7 @@ struct VarianceExact {
   ExactPlanes variance;   ///< 1 plane a signal
   ExactPlanes magnitude;  ///< of the second moment: what rounding errors are relative to; 1 plane a signal
   ExactPlanes stopLuminance;  ///< 1 plane a signal; 0 without irradiance
+  ExactPlanes tapWeights;     ///< 1 plane a signal; 0 without irradiance
 };
 
 VarianceExact varianceOracle(const VarianceInputs& inputs);

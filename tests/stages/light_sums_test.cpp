@@ -63,6 +63,15 @@ TEST_CASE("light_sums of constant light are its multiples") {
   }
 }
 
+TEST_CASE("light_sums count at most twice the light that is left as lost") {
+  CaseOptions options;
+  LightSumsCase sums(options);
+  fill(sums.inputs.stopLuminance, 50.0f);
+  fill(sums.inputs.filtered, 2.0f);
+  fill(sums.inputs.guides, 1.0f);
+  CHECK(runSums(sums).values[QUELL_LIGHT_LOST] == Approx(2.0 * 32.0 * 2.0).epsilon(1e-6));
+}
+
 TEST_CASE("light_sums of the most extreme light are finite") {
   CaseOptions options;
   options.size = {61, 40};
