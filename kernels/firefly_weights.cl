@@ -12,12 +12,10 @@ __kernel void firefly_weights(STAGE_ARGUMENTS(FIREFLY_WEIGHTS) FireflyWeightsPar
   BEGIN_PIXELS(params.planes);
   LEAVE_OUT_BACKGROUND(storeZeroWeights(tapWeights, index, stride))
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    __global const float* signal = irradiance + 3 * s * stride;
-    __global const float* weights = guides + (QUELL_GUIDE_WEIGHT + s) * stride;
-    const intL length = loadByteLanes(historyLength + s * stride + index);
-    const floatL share =
-        fireflyShare(length >= QUELL_FIREFLY_LEAST_HISTORY, luminance(loadLanes3(signal, index, stride)),
-                     params.fireflyRatio, signal, weights, planes, x, y);
-    storeLanes(share * loadLanes(weights + index), tapWeights + s * stride + index);
+    const Ring ring = {irradiance + 3 * s * stride, guides + (QUELL_GUIDE_WEIGHT + s) * stride, planes, x, y};
+    const intL isLong = loadByteLanes(historyLength + s * stride + index) >= QUELL_FIREFLY_LEAST_HISTORY;
+    const floatL own = luminance(loadLanes3(ring.irradiance, index, stride));
+    const floatL share = fireflyShare(isLong, own, params.fireflyRatio, ring);
+    storeLanes(share * loadLanes(ring.weights + index), tapWeights + s * stride + index);
   }
 }

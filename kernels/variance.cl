@@ -132,8 +132,8 @@ __kernel void variance(STAGE_ARGUMENTS(VARIANCE) VarianceParams params) {
     __global const float* signal = irradiance + 3 * s * stride;
     const floatL own = luminance(loadLanes3(signal, index, stride));
     const intL suspects = suspectFireflies(first, second, own, length, params);
-    storeLanes(loadLanes(weights + index) *
-                   fireflyShare(suspects, own, params.fireflyRatio, signal, weights, planes, x, y),
+    const Ring ring = {signal, weights, planes, x, y};
+    storeLanes(loadLanes(weights + index) * fireflyShare(suspects, own, params.fireflyRatio, ring),
                tapWeights + s * stride + index);
 #endif
 #if OF_MEAN

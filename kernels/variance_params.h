@@ -23,6 +23,6 @@ QUELL_NAMESPACE_END
 #define QUELL_VARIANCE_RADIUS 3
 
 // The second moment of n samples is n times the squared first if one of them has all the light. So much of that is enough.
-#define QUELL_FIREFLY_SHARE_OF_SAMPLES 0.5f
+#define QUELL_FIREFLY_SHARE_OF_SAMPLES 0.7f
 
 #endif

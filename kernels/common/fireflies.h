@@ -9,31 +9,48 @@
 #include "common/luminance.h"
 #include "common/planes.h"
 
-// Luminance of the brightest pixel of the ring around each pixel; -1 where none of it has a sample. A ring, since what
-// moved was resampled, which spreads a firefly over its neighbours.
-QUELL_INLINE floatL brightestAround(__global const float* irradiance, __global const float* weights,
-                                    PlaneParams planes, int x, int y) {
-  floatL brightest = (floatL)(-1.0f);
+// The pixels around, as far as they lie in the image and have a sample.
+typedef struct Ring {
+  __global const float* irradiance;  // the planes of the signal
+  __global const float* weights;
+  PlaneParams planes;
+  int x, y;
+} Ring;
+
+// The larger one of `brightest` and the luminance at this distance.
+QUELL_INLINE floatL brighterOf(floatL brightest, Ring ring, int dx, int dy) {
+  const int row = ring.y + dy;
+  if (row < 0 || row >= ring.planes.height) return brightest;
+  const int index = planeIndex(ring.planes, ring.x + dx, row);
+  const intL column = ring.x + dx + LANE_INDEX;
+  const intL counts = column >= 0 && column < ring.planes.width && loadLanes(ring.weights + index) > 0.0f;
+  const floatL tap = luminance(loadLanes3(ring.irradiance, index, ring.planes.stride));
+  return counts ? maxLanes(brightest, tap) : brightest;
+}
+
+// Luminance of the brightest pixel; -1 where there is none. A ring, since what moved was resampled, which spreads a
+// firefly over its neighbours.
+QUELL_INLINE floatL brightestOf(floatL brightest, Ring ring) {
   for (int dy = -QUELL_FIREFLY_RING; dy <= QUELL_FIREFLY_RING; ++dy) {
-    if (y + dy < 0 || y + dy >= planes.height) continue;
     for (int dx = -QUELL_FIREFLY_RING; dx <= QUELL_FIREFLY_RING; ++dx) {
       if (abs(dx) < QUELL_FIREFLY_RING && abs(dy) < QUELL_FIREFLY_RING) continue;
-      const int index = planeIndex(planes, x + dx, y + dy);
-      const intL column = x + dx + LANE_INDEX;
-      const intL counts = column >= 0 && column < planes.width && loadLanes(weights + index) > 0.0f;
-      const floatL tap = luminance(loadLanes3(irradiance, index, planes.stride));
-      brightest = counts ? maxLanes(brightest, tap) : brightest;
+      brightest = brighterOf(brightest, ring, dx, dy);
     }
   }
   return brightest;
 }
 
 // What is left of the weights of `suspects` of this luminance.
-QUELL_INLINE floatL fireflyShare(intL suspects, floatL luminance, floatL mostRatio,
-                                 __global const float* irradiance, __global const float* weights,
-                                 PlaneParams planes, int x, int y) {
+QUELL_INLINE floatL fireflyShare(intL suspects, floatL luminance, floatL mostRatio, Ring ring) {
   if (!anyLane(suspects)) return ONE_LANES;
-  const floatL brightest = brightestAround(irradiance, weights, planes, x, y);
+  // Nearly always four of them tell that there is nothing to do.
+  floatL brightest = (floatL)(-1.0f);
+  for (int side = -QUELL_FIREFLY_RING; side <= QUELL_FIREFLY_RING; side += 2 * QUELL_FIREFLY_RING) {
+    brightest = brighterOf(brightest, ring, side, 0);
+    brightest = brighterOf(brightest, ring, 0, side);
+  }
+  if (!anyLane(suspects && luminance > mostRatio * brightest)) return ONE_LANES;
+  brightest = brightestOf(brightest, ring);
   const intL firefly = suspects && brightest >= 0.0f && luminance > mostRatio * brightest;
   const floatL ratio = brightest / luminance;
   return firefly ? maxLanes(ratio * ratio, (floatL)(QUELL_LEAST_FIREFLY_SHARE)) : ONE_LANES;

@@ -1,6 +1,7 @@
 #include "tests/cases/background_case.hpp"
 
 #include "tests/cases/material_inputs.hpp"
+#include "tests/oracle/display_encoding_oracle.hpp"
 #include "tests/support/random_images.hpp"
 
 namespace quell::tests {
@@ -70,7 +71,8 @@ Comparison BackgroundCase::compare() {
   forEachPixel(size(), [&](int x, int y) { surface.at(0, x, y) = char(!isBackground(x, y)); });
   comparePixels(comparison, "linear", outputPlanes(m_harness, &Output::linear), exact.linear, &surface,
                 nullptr, lightUnit());
-  comparePixels(comparison, "display", outputPlanes(m_harness, &Output::display), exact.encoded, &surface);
+  comparePixels(comparison, "display", outputPlanes(m_harness, &Output::display), exact.encoded, &surface,
+                nullptr, displayUnit(kBackgroundTolerance));
   comparePixels(comparison, "antialiased", antialiased(), exact.linear, &surface, nullptr, lightUnit());
   forEachPixel(
       size(), [&](int x, int y) { surface.at(0, x, y) = char(!isBackground(x, y) || !isNearSurface(x, y)); });

@@ -1,5 +1,6 @@
 #include "tests/cases/remodulate_case.hpp"
 
+#include "tests/oracle/display_encoding_oracle.hpp"
 #include "tests/oracle/tiles_oracle.hpp"
 #include "tests/support/random_images.hpp"
 #include "tests/support/test_scene.hpp"
@@ -52,7 +53,8 @@ Comparison RemodulateCase::compare() {
     compareOutput(comparison, m_harness, &Output::linear, exact.linear, &exact.undecided, &exact.magnitude,
                   lightUnit());
   if (m_to == RemodulateTo::Outputs) {
-    compareOutput(comparison, m_harness, &Output::display, exact.encoded, &exact.undecided);
+    compareOutput(comparison, m_harness, &Output::display, exact.encoded, &exact.undecided, nullptr,
+                  displayUnit(kRemodulateTolerance));
   } else {
     comparePixels(comparison, "beforeAntialiasing", m_harness.download("beforeAntialiasing"), exact.linear,
                   &exact.undecided, &exact.magnitude, lightUnit());

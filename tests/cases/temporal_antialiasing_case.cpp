@@ -42,7 +42,8 @@ Comparison TemporalAntialiasingCase::compare() {
   ExactPlanes encoded = exact;
   for (double& value : encoded.values) value = encodeDisplayExact(value);
   comparePixels(comparison, "antialiased", antialiased(), exact, nullptr, nullptr, lightUnit());
-  compareOutput(comparison, m_harness, &Output::display, encoded);
+  compareOutput(comparison, m_harness, &Output::display, encoded, nullptr, nullptr,
+                displayUnit(kTemporalAntialiasingTolerance));
   if (m_jitteredRays)
     compareOutput(comparison, m_harness, &Output::linear, exact, nullptr, nullptr, lightUnit());
   return comparison;

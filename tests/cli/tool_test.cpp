@@ -61,7 +61,7 @@ TEST_CASE("denoise writes frames, pictures and a report", "[cli]") {
   CHECK(report.at("output_hash").get<std::string>().size() == 16);
   CHECK(report.at("settings").at("noisyLeastWeight") == 0.2);
   CHECK(report.at("frame_ms").at("median").get<double>() > 0.0);
-  REQUIRE(report.at("stages").size() == 7);
+  REQUIRE(report.at("stages").size() == 8);
   for (const auto& stage : report.at("stages")) {
     CHECK(stage.at("median_ms").get<double>() >= stage.at("min_ms").get<double>());
     CHECK(stage.at("max_ms").get<double>() >= stage.at("median_ms").get<double>());

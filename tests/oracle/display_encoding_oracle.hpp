@@ -6,9 +6,12 @@
 
 namespace quell::tests {
 
-/// Largest absolute error of the encoding over [0, 1]. Results near 1 have the largest: rounding of a result below 1
-/// (6e-8) and of an exponent below 1/2 in magnitude (2e-8), with room for compilers that divide less exactly.
-constexpr double kEncodingTolerance = 3e-7;
+/// Largest absolute error of the encoding over [0, 1], a 1000th of a step of 8 bits, with room for compilers that divide
+/// less exactly: the power is off by less than 4e-6, the logarithm by 5e-6 of which ln 2 / 2.2 arrives (3e-6 measured).
+constexpr double kEncodingTolerance = 4e-6;
+
+/// The unit of encoded values where errors may be as large as this in linear ones, which the encoding halves.
+constexpr double displayUnit(double tolerance) { return 1.0 + kEncodingTolerance / tolerance; }
 
 /// Clamp to [0, 1] and gamma 2.2 (Koskela et al. 2019, reference implementation); what is not a number counts as 0.
 inline double encodeDisplayExact(double linear) {

@@ -62,13 +62,13 @@ double prefilteredLuminance(const VarianceInputs& inputs, int signal, int x, int
   return weights > 0.0 ? sum / weights : 0.0;
 }
 
-// Whether one sample may make the light of a pixel: half of what n samples could have at most in their second moment is
+// Whether one sample may make the light of a pixel: most of what n samples could have at most in their second moment is
 // there, or lately the pixel has had far less than its history holds.
 bool isSuspect(const VarianceInputs& inputs, int signal, int x, int y) {
   const double length = inputs.historyLength.at(signal, x, y);
   const double samples = std::min(length, 1.0 / inputs.momentsLeastWeight);
   const Moments moments = momentsAt(inputs, signal, x, y);
-  const bool oneSample = moments.second > 0.5 * samples * moments.first * moments.first;
+  const bool oneSample = moments.second > 0.7 * samples * moments.first * moments.first;
   const bool faded = luminanceAt(inputs.irradiance, signal, x, y) > inputs.fireflyRatio * moments.first;
   return length >= 4.0 && (oneSample || faded);
 }
