@@ -2,12 +2,14 @@
 // Paper:   Koskela et al. 2019, last step of phase III, after Karis 2014; as in the reference implementation the
 //          history is clamped in YCoCg to the mean of the bounds of the 3x3 box and of its cross.
 // In:      radiance of the frame (3 planes, [0, 65504]), antialiased radiance of the frame before, pixel index in the frame
-//          before, reprojection mask (of the first signal). Out: antialiased radiance as history (3 planes), for display
-//          in the caller's layout, and with ANTIALIAS_LINEAR as it is in the caller's layout.
+//          before, reprojection mask (of the first signal), view depth.
+// Out:     antialiased radiance as history (3 planes), for display in the caller's layout, and with ANTIALIAS_LINEAR as it
+//          is in the caller's layout.
 // Border:  neighbours and taps outside the image are left out and the bilinear weights renormalised.
 // Departures: radiance is blended, and encoded for display afterwards, as a pixel's area averages light: the reference
 //          blends encoded values and lets the newest frame weigh 0.2, which with a filter as steady as ours blurs more
-//          than it smooths (sweep, docs/quell-sweep.md). A pixel that was outside the frame before keeps the newest colour
+//          than it smooths (sweep, docs/quell-sweep.md). History is taken where the nearest surface of the 3x3 pixels was
+//          (Karis 2014), not where the pixel's own was. A pixel that was outside the frame before keeps the newest colour
 //          (the reference divides 0 by 0 there), and so does one whose history accumulation has rejected, if it did so for
 //          the pixels around as well: alone it is a silhouette, which antialiasing is for.
 #include "common/display_encoding.h"
@@ -97,6 +99,37 @@ QUELL_INLINE intL historyCounts(__global const uchar* reprojectionMask, PlanePar
   return inFrame && !rejected;
 }
 
+typedef struct PixelPrev {
+  floatL x, y;
+} PixelPrev;
+
+// Where the nearest surface of the 3x3 pixels around would have shown this pixel: a silhouette moves with what is in
+// front, on both of its sides. The pixel's own place counts unless a neighbour is clearly nearer.
+QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global const float* viewDepth,
+                                   TemporalAntialiasingParams params, int x, int y, int atBorder) {
+  const PlaneParams planes = params.planes;
+  const int index = planeIndex(planes, x, y);
+  const intL column = x + LANE_INDEX;
+  PixelPrev prev = {loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + planes.stride)};
+  const floatL own = loadLanes(viewDepth + index);
+  floatL nearest = own != params.backgroundDepth ? own : (floatL)(FLT_MAX);
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int neighbour = index + dy * planes.pitch + dx;
+      const floatL depth = loadLanes(viewDepth + neighbour);
+      intL nearer = depth != params.backgroundDepth && depth < QUELL_NEARER * nearest;
+      if (atBorder)
+        nearer = nearer && column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
+                 (intL)(y + dy) < planes.height;
+      if (!anyLane(nearer)) continue;
+      nearest = nearer ? depth : nearest;
+      prev.x = nearer ? loadLanes(pixelPrev + neighbour) - (float)dx : prev.x;
+      prev.y = nearer ? loadLanes(pixelPrev + neighbour + planes.stride) - (float)dy : prev.y;
+    }
+  }
+  return prev;
+}
+
 QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA, floatL highB) {
   return minLanes(maxLanes(v, 0.5f * (lowA + lowB)), 0.5f * (highA + highB));
 }
@@ -109,16 +142,18 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
   const float3L centre = toYCoCg(newest);
   const int atBorder = x == 0 || y == 0 || x + QUELL_LANES >= planes.width || y == planes.height - 1;
   Neighbourhood around;
+  PixelPrev prev;
   if (atBorder) {
     around = boundsAround(beforeAntialiasing, planes, x, y, centre, 1);
+    prev = nearestPrev(pixelPrev, viewDepth, params, x, y, 1);
   } else {
     around = boundsAround(beforeAntialiasing, planes, x, y, centre, 0);
+    prev = nearestPrev(pixelPrev, viewDepth, params, x, y, 0);
   }
   const Bounds box = around.box;
   const Bounds cross = around.cross;
 
-  const BilinearTaps taps =
-      bilinearTaps(planes, loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + stride));
+  const BilinearTaps taps = bilinearTaps(planes, prev.x, prev.y);
   float3L sum = splat3(0.0f);
   floatL weightSum = ZERO_LANES;
   for (int i = 0; i < 4; ++i) {

@@ -9,11 +9,15 @@ QUELL_NAMESPACE_BEGIN
 typedef struct TemporalAntialiasingParams {
   PlaneParams planes;
   OutputImageParams outputs;
-  QuellFloat newestWeight;  // weight of the newest frame, (0, 1]
+  QuellFloat newestWeight;     // weight of the newest frame, (0, 1]
+  QuellFloat backgroundDepth;  // what pixels without a surface have as their view depth
   QuellInt
       antialiasBackground;  // whether background takes part, as it must where rays are jittered; only with SKIP
 } TemporalAntialiasingParams;
 
 QUELL_NAMESPACE_END
+
+// Share of a pixel's view depth below which a neighbour is in front of it: less is the slope of one surface.
+#define QUELL_NEARER 0.97f
 
 #endif

@@ -14,6 +14,7 @@
   PORT(antialiasedPrev,  PREVIOUS, FLOAT, 3,             HISTORIES, ALWAYS) \
   PORT(pixelPrev,        READ,     FLOAT, 2,             ALL,       ALWAYS) \
   PORT(reprojectionMask, READ,     UCHAR, QUELL_SIGNALS, PLANES(1), ALWAYS) \
+  PORT(viewDepth,        READ,     FLOAT, 1,             ALL,       ALWAYS) \
   PORT(antialiased,      WRITE,    FLOAT, 3,             ALL,       ALWAYS) \
   OUTPUT(linear, LINEAR, 1, ANTIALIAS_LINEAR)                               \
   OUTPUT(display, DISPLAY, 1, ALWAYS)                                       \

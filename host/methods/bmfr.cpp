@@ -61,6 +61,7 @@ Schedule makeSchedule(const Configuration& configuration, const BmfrSettings& s)
   accumulation.leastWeight = s.noisyLeastWeight;
   accumulation.skip = s.common.skip;
   accumulation.antialiasBackground = antialiases(configuration, s.common.antialiasing);
+  accumulation.filterGuides = accumulation.antialiasBackground;  // antialiasing looks at depths
   add(table, AccumulateNoisy(configuration, accumulation));
   if (s.fireflyRatio > 0.0) add(table, FireflyWeights(configuration, s.fireflyRatio, s.common.skip));
   if (s.features.needMaterial()) add(table, MaterialGuides(s.features));

@@ -24,6 +24,7 @@ TemporalAntialiasingParams TemporalAntialiasing::params(const FrameRun& run) con
   params.planes = makePlanes(run.frame.size);
   params.outputs = makeImageParams(run.output, run.frame.size);
   params.newestWeight = static_cast<float>(m_newestWeight);
+  params.backgroundDepth = run.reprojection.viewDepth.w;
   params.antialiasBackground = isJittered(run.frame.camera) ? 1 : 0;
   return params;
 }

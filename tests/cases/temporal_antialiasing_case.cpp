@@ -15,6 +15,18 @@ StageSetup makeTemporalAntialiasingSetup(const CaseOptions& options, bool jitter
   return setup;
 }
 
+// Surfaces at several depths, sloped a little, and background.
+Planes randomDepths(Size size, unsigned seed) {
+  constexpr double kDepths[] = {0.0, 2.0, 3.0, 8.0};
+  Random random(seed);
+  Planes depths(size, 1);
+  for (float& depth : depths.values) {
+    const bool other = random.uniform() < 0.1;
+    depth = float(kDepths[other ? random.integer(0, 3) : 2] * random.uniform(0.99, 1.01));
+  }
+  return depths;
+}
+
 }  // namespace
 
 TemporalAntialiasingCase::TemporalAntialiasingCase(const CaseOptions& options, bool jitteredRays)
@@ -26,6 +38,8 @@ TemporalAntialiasingCase::TemporalAntialiasingCase(const CaseOptions& options, b
   inputs.antialiasedPrev = randomPlanes(options.size, 3, options.seed + 2);
   inputs.pixelPrev = motion.pixelPrev;
   inputs.reprojectionMask = motion.reprojectionMask;
+  inputs.viewDepth = randomDepths(options.size, options.seed + 3);
+  m_holes.clear(inputs.viewDepth);
   inputs.newestWeight = float(m_harness.configuration().settings.get("taaNewestWeight"));
 }
 
@@ -34,6 +48,7 @@ void TemporalAntialiasingCase::upload() {
   m_harness.upload("antialiasedPrev", inputs.antialiasedPrev);
   m_harness.upload("pixelPrev", inputs.pixelPrev);
   m_harness.upload("reprojectionMask", inputs.reprojectionMask);
+  m_harness.upload("viewDepth", inputs.viewDepth);
 }
 
 Comparison TemporalAntialiasingCase::compare() {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <limits>
 
 #include "kernels/accumulate_noisy_params.h"
 #include "tests/oracle/bilinear_oracle.hpp"
@@ -52,6 +53,27 @@ bool rejectedAround(const Planes& mask, int x, int y) {
   return true;
 }
 
+struct Place {
+  double x, y;
+};
+
+// Where the pixel was, if it moved as the nearest surface around; what is nearer by less than 3 % is the same one.
+Place nearestPrev(const TemporalAntialiasingInputs& inputs, int x, int y) {
+  Place prev{inputs.pixelPrev.at(0, x, y), inputs.pixelPrev.at(1, x, y)};
+  const double own = inputs.viewDepth.at(0, x, y);
+  double nearest = own != 0.0 ? own : std::numeric_limits<double>::infinity();
+  for (int row = std::max(y - 1, 0); row <= std::min(y + 1, inputs.denoised.height - 1); ++row) {
+    for (int column = std::max(x - 1, 0); column <= std::min(x + 1, inputs.denoised.width - 1); ++column) {
+      const double depth = inputs.viewDepth.at(0, column, row);
+      if (depth == 0.0 || depth >= 0.97 * nearest) continue;
+      nearest = depth;
+      prev = {double(inputs.pixelPrev.at(0, column, row)) - (column - x),
+              double(inputs.pixelPrev.at(1, column, row)) - (row - y)};
+    }
+  }
+  return prev;
+}
+
 struct Sampled {
   Vector3d color = Vector3d::Zero();
   double weight = 0.0;
@@ -74,8 +96,8 @@ ExactPlanes temporalAntialiasingOracle(const TemporalAntialiasingInputs& inputs)
   ExactPlanes antialiased(inputs.denoised.size(), 3);
   forEachPixel(inputs.denoised.size(), [&](int x, int y) {
     Vector3d color = colorAt(inputs.denoised, x, y);
-    const Sampled history =
-        sample(inputs.antialiasedPrev, inputs.pixelPrev.at(0, x, y), inputs.pixelPrev.at(1, x, y));
+    const Place prev = nearestPrev(inputs, x, y);
+    const Sampled history = sample(inputs.antialiasedPrev, prev.x, prev.y);
     const bool inFrame = (int(inputs.reprojectionMask.at(0, x, y)) & QUELL_PREV_IN_FRAME) != 0;
     if (inFrame && history.weight > 0.0 && !rejectedAround(inputs.reprojectionMask, x, y)) {
       const Bounds bounds = neighbourhood(inputs.denoised, x, y);

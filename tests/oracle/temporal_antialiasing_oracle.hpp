@@ -11,6 +11,7 @@ struct TemporalAntialiasingInputs {
   Planes antialiasedPrev;   ///< the same
   Planes pixelPrev;         ///< 2 planes
   Planes reprojectionMask;  ///< 1 plane
+  Planes viewDepth;         ///< 1 plane; 0: background
   double newestWeight = 0.2;
 };
 

@@ -57,6 +57,34 @@ TEST_CASE("temporal_antialiasing of a constant is constant whatever the history"
   }
 }
 
+TEST_CASE("temporal_antialiasing takes history from where the nearest surface was, be it the neighbour's") {
+  for (const CaseOptions& options : bothMappings()) {
+    TemporalAntialiasingCase taa(options);
+    fill(taa.inputs.viewDepth, 3.0f);
+    fill(taa.inputs.reprojectionMask, QUELL_PREV_IN_FRAME | 15);
+    // A ramp over the columns, which the clamp leaves as it is: what is behind stands still, a column in front of it has
+    // moved by half a pixel.
+    forEachPixel(options.size, [&](int x, int y) {
+      for (int c = 0; c < 3; ++c) {
+        taa.inputs.denoised.at(c, x, y) = (x + y) % 2 == 0 ? 0.0f : 1000.0f;
+        taa.inputs.antialiasedPrev.at(c, x, y) = float(100 + x);
+      }
+      taa.inputs.pixelPrev.at(0, x, y) = float(x) - (x == 16 ? 0.5f : 0.0f);
+      taa.inputs.pixelPrev.at(1, x, y) = float(y);
+      if (x == 16) taa.inputs.viewDepth.at(0, x, y) = 1.0f;
+    });
+    taa.uploadAndRun();
+    const Planes result = taa.antialiased();
+    const double weight = taa.inputs.newestWeight;
+    for (const int x : {14, 15, 16, 17, 18}) {
+      const double moved = x >= 15 && x <= 17 ? 0.5 : 0.0;
+      const double newest = taa.inputs.denoised.at(0, x, 10);
+      CHECK(result.at(0, x, 10) ==
+            Approx(weight * newest + (1.0 - weight) * (100.0 + x - moved)).epsilon(1e-5));
+    }
+  }
+}
+
 TEST_CASE("temporal_antialiasing keeps the newest colour where there was no frame before") {
   CaseOptions options;
   TemporalAntialiasingCase taa(options);
