@@ -99,11 +99,14 @@ TEST_CASE("lit surfaces are filtered whatever their albedo", "[pipelines]") {
         }
       });
     };
+    const Albedo half = {0.5f, 0.5f, 0.5f};
+    const Light usualLight[] = {lightOf(lit(false, half), normal, true),
+                                lightOf(lit(true, half), normal, true)};
     for (const Albedo& albedo : albedos) {
       INFO(method << ", albedo " << albedo[0] << " " << albedo[1] << " " << albedo[2]);
       // Without an edge around it, what is told apart must stay apart.
       const bool isTold = !(*std::min_element(albedo.begin(), albedo.end()) >= 0.01f);
-      const Light usual = lightOf(lit(!isTold, {0.5f, 0.5f, 0.5f}), normal, true);
+      const Light& usual = usualLight[isTold ? 0 : 1];
       const io::Image linear = lit(!isTold, albedo);
       const Light inside = lightOf(linear, normal, true), outside = lightOf(linear, normal, false);
       INFO("inside " << inside.mean << " +- " << inside.deviation << ", with albedo 1/2 " << usual.deviation);

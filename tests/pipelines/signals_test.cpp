@@ -63,8 +63,12 @@ TEST_CASE("light that was divided by the caller comes back whole, with F_beta an
     for (const char* demodulate : {"none", "albedo", "fbeta"}) {
       run.settings.set("demodulate", demodulate);
       // F_beta varies over the image, so what is divided by it is not constant: filters may change it a little.
-      const double tolerance = std::string(demodulate) == "fbeta" ? 0.15 : 1e-5;
+      const bool isFBeta = demodulate == std::string("fbeta");
+      const double tolerance = isFBeta ? 0.15 : 1e-5;
       for (const bool two : {false, true}) {
+        // All kernels of one method; of the others those that least resemble it.
+        const bool isUsual = isFBeta ? !two : two && demodulate == std::string("albedo");
+        if (run.name != "quell" && !isUsual) continue;
         INFO(run.name << " demodulate=" << demodulate << (two ? ", two signals" : ", one signal"));
         const io::Image output = two ? lastLinear(*sequence, 3, run.settings, twoSignals)
                                      : lastLinear(*sequence, 3, run.settings, demodulatedLight);
