@@ -31,7 +31,10 @@ QUELL_INLINE floatL brighterOf(floatL brightest, Ring ring, int dx, int dy) {
 // Luminance of the brightest pixel; -1 where there is none. A ring, since what moved was resampled, which spreads a
 // firefly over its neighbours.
 QUELL_INLINE floatL brightestOf(floatL brightest, Ring ring) {
+  // Written out, all loads come first and take more registers than two waves have.
+#pragma unroll 1
   for (int dy = -QUELL_FIREFLY_RING; dy <= QUELL_FIREFLY_RING; ++dy) {
+#pragma unroll 1
     for (int dx = -QUELL_FIREFLY_RING; dx <= QUELL_FIREFLY_RING; ++dx) {
       if (abs(dx) < QUELL_FIREFLY_RING && abs(dy) < QUELL_FIREFLY_RING) continue;
       brightest = brighterOf(brightest, ring, dx, dy);
