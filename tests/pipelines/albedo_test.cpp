@@ -17,10 +17,6 @@ bool isInside(int x, int y) { return x >= 36 && x < 84 && y >= 12 && y < 60; }
 
 using Albedo = std::array<float, 3>;
 
-bool isBackground(const io::Image& normal, int x, int y) {
-  return normal.at(x, y, 0) == 0.0f && normal.at(x, y, 1) == 0.0f && normal.at(x, y, 2) == 0.0f;
-}
-
 // Surfaces of albedo 1/2 in noisy light of mean 1; inside they reflect as much but have this albedo.
 void lightWall(io::FrameData& frame, const Albedo& albedo) {
   std::mt19937 generator(unsigned(frame.number) + 1);
@@ -59,10 +55,6 @@ io::Image lastLinear(const char* method, const std::function<void(io::FrameData&
   const auto sequence = analyticSequence(kWidth, kHeight, kFrames, {0.0, 0.0, 0.0}, 0, false);
   return denoiseSequence(*sequence, firstFrames(kFrames), Settings(method), {}, edit).frames.back().linear;
 }
-
-struct Light {
-  double mean, deviation;
-};
 
 // Of surfaces inside or outside of the square.
 Light lightOf(const io::Image& linear, const io::Image& normal, bool inside) {

@@ -26,28 +26,6 @@ void evenLight(io::FrameData& frame, float level) {
   std::fill(frame.emission.pixels.begin(), frame.emission.pixels.end(), 0.0f);
 }
 
-struct Light {
-  double mean = 0.0;
-  double deviation = 0.0;
-};
-
-// Of the surfaces; the sky is not filtered.
-Light lightOf(const io::Image& linear, const io::Image& normal) {
-  double count = 0.0, sum = 0.0, squares = 0.0;
-  for (int y = 0; y < linear.height; ++y) {
-    for (int x = 0; x < linear.width; ++x) {
-      if (normal.at(x, y, 0) == 0.0f && normal.at(x, y, 1) == 0.0f && normal.at(x, y, 2) == 0.0f) continue;
-      for (int c = 0; c < 3; ++c) {
-        count += 1.0;
-        sum += linear.at(x, y, c);
-        squares += double(linear.at(x, y, c)) * linear.at(x, y, c);
-      }
-    }
-  }
-  const double mean = sum / count;
-  return {mean, std::sqrt(std::max(squares / count - mean * mean, 0.0))};
-}
-
 // Light of every frame before a still camera; from kStepFrame on `step` times as much.
 std::vector<Light> denoiseLight(const Settings& settings, float step) {
   const int frames = kStepFrame + 4;
@@ -59,35 +37,6 @@ std::vector<Light> denoiseLight(const Settings& settings, float step) {
   for (int i = 0; i < frames; ++i)
     light.push_back(lightOf(result.frames[std::size_t(i)].linear, sequence->read(i).normalWorld));
   return light;
-}
-
-// Every sample sees a lamp that is this much brighter than the mean with the inverse probability, else nothing.
-constexpr unsigned kHitBrightness = 50;
-
-void sparseHits(io::FrameData& frame) {
-  std::mt19937 generator(unsigned(frame.number) + 1);
-  const auto pixels = std::size_t(frame.radiance.width) * std::size_t(frame.radiance.height);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const bool hit = generator() < std::mt19937::max() / kHitBrightness;
-    std::fill_n(&frame.radiance.pixels[3 * i], 3, hit ? float(kHitBrightness) : 0.0f);
-  }
-  std::fill(frame.albedo.pixels.begin(), frame.albedo.pixels.end(), 1.0f);
-  std::fill(frame.emission.pixels.begin(), frame.emission.pixels.end(), 0.0f);
-}
-
-// Light of the last of some frames of sparse hits, relative to the mean of what came in.
-Light denoiseHits(const Settings& settings) {
-  const int frames = 8;
-  const auto sequence = analyticSequence(320, 180, frames, {0.0, 0.0, 0.0}, 0, false);
-  const io::Image normal = sequence->read(0).normalWorld;
-  double input = 0.0;
-  const auto result =
-      denoiseSequence(*sequence, firstFrames(frames), settings, {}, [&](io::FrameData& frame) {
-        sparseHits(frame);
-        input += lightOf(frame.radiance, normal).mean / frames;
-      });
-  Light light = lightOf(result.frames.back().linear, normal);
-  return {light.mean / input, light.deviation / input};
 }
 
 // The method without the stages that follow change.
@@ -144,16 +93,6 @@ TEST_CASE("quell keeps its history where light stays", "[pipelines]") {
                      << ", without history " << newest.back().deviation);
   CHECK(light.back().deviation < 1.25 * still.back().deviation);
   CHECK(light.back().deviation < 0.7 * newest.back().deviation);
-}
-
-TEST_CASE("quell keeps the light of sparse lamp hits", "[pipelines]") {
-  const Light kept = denoiseHits(Settings("quell"));
-  Settings losing("quell");
-  losing.set("keepLight", 0.0);
-  const Light lost = denoiseHits(losing);
-  INFO("light kept " << kept.mean << ", lost " << lost.mean);
-  CHECK(kept.mean == Approx(1.0).epsilon(0.03));
-  CHECK(lost.mean < 0.9);
 }
 
 TEST_CASE("quell handles images of any size", "[pipelines]") {

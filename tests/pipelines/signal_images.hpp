@@ -1,7 +1,8 @@
-// Frames with a glossy lobe of its own, for tests of whole methods.
+// Frames with a glossy lobe of its own, and what light surfaces have, for tests of whole methods.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/pipelines/denoise_case.hpp"
 
@@ -9,6 +10,32 @@ namespace quell::tests {
 
 inline io::Image image(const io::FrameData& frame, int channels, float value) {
   return io::Image(frame.radiance.width, frame.radiance.height, channels, value);
+}
+
+inline bool isBackground(const io::Image& normal, int x, int y) {
+  return normal.at(x, y, 0) == 0.0f && normal.at(x, y, 1) == 0.0f && normal.at(x, y, 2) == 0.0f;
+}
+
+struct Light {
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+
+// Of the surfaces; the sky is not filtered.
+inline Light lightOf(const io::Image& linear, const io::Image& normal) {
+  double count = 0.0, sum = 0.0, squares = 0.0;
+  for (int y = 0; y < linear.height; ++y) {
+    for (int x = 0; x < linear.width; ++x) {
+      if (isBackground(normal, x, y)) continue;
+      for (int c = 0; c < 3; ++c) {
+        count += 1.0;
+        sum += linear.at(x, y, c);
+        squares += double(linear.at(x, y, c)) * linear.at(x, y, c);
+      }
+    }
+  }
+  const double mean = sum / count;
+  return {mean, std::sqrt(std::max(squares / count - mean * mean, 0.0))};
 }
 
 // Light of its own for a glossy lobe, with gloss colour and roughness.

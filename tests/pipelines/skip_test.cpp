@@ -27,17 +27,13 @@ std::unique_ptr<io::FrameSequence> sequenceWithSky() {
   return io::makeAnalyticSequence(options);
 }
 
-bool isSky(const io::Image& normal, int x, int y) {
-  return normal.at(x, y, 0) == 0.0f && normal.at(x, y, 1) == 0.0f && normal.at(x, y, 2) == 0.0f;
-}
-
 // Largest difference, `surfaces` alone or everywhere.
 double difference(const io::Image& a, const io::Image& b, const io::Image& normal, bool surfaces = false) {
   double largest = 0.0;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
       for (int c = 0; c < 3; ++c)
-        if (!surfaces || !isSky(normal, x, y))
+        if (!surfaces || !isBackground(normal, x, y))
           largest = std::max(largest, std::abs(double(a.at(x, y, c)) - b.at(x, y, c)));
   return largest;
 }
