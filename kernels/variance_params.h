@@ -10,11 +10,9 @@ QUELL_NAMESPACE_BEGIN
 typedef struct VarianceParams {
   PlaneParams planes;
   EdgeStopParams stops;
-  QuellFloat
-      fireflyRatio;  // times as bright as the brightest around: a firefly, if one sample makes it; >= 1
-  QuellFloat
-      momentsFrames;  // samples that moments of long histories are worth: 1 / least weight of the newest
-  QuellInt temporalFrames;  // history length from which on the variance over time is trusted
+  QuellFloat fireflyRatio;   // of a firefly's luminance to that of the brightest pixel around, > 0
+  QuellFloat momentsFrames;  // samples that moments are worth at most: 1 / least weight of the newest
+  QuellInt temporalFrames;   // history length from which on the variance over time is trusted
 } VarianceParams;
 
 QUELL_NAMESPACE_END
