@@ -20,10 +20,6 @@ constexpr int kMatrixSide = 4;
 
 constexpr ImageFiles kColor = factsOf(&FrameData::radiance).files;
 
-FrameFileName filesOf(const std::string& stem) {
-  return [stem](int frame) { return fmt::format("{}_{:04}.exr", stem, frame); };
-}
-
 /// Throws std::exception, translated by readCameraFile(), for anything but a 4x4 array of numbers.
 Matrix4 toMatrix(const nlohmann::json& rows) {
   Matrix4 matrix{};
@@ -63,36 +59,40 @@ std::map<int, Camera> readCameraFile(const std::string& path) {
   return cameras;
 }
 
-CyclesSequence::CyclesSequence(std::string directory, int signals)
-    : m_directory(std::move(directory)),
-      m_frames(findFrames(m_directory, filesOf(kColor.stem))),
-      m_demodulated(signals == 2) {
+CyclesSequence::CyclesSequence(std::string directory, int signals, MissingFrames missing, FrameFiles colors)
+    : m_directory(std::move(directory)), m_files(m_directory), m_demodulated(signals == 2) {
   const std::string cameraPath = joinPath(m_directory, kCyclesCameraFile);
   m_cameras = readCameraFile(cameraPath);
+  std::vector<FrameFiles> required = {colors.empty() ? filesOf(kColor.stem) : std::move(colors)};
+  for (const ImageSource& source : imageSources(signals))
+    if (source.required) required.push_back(filesOf(source.files.stem));
+  m_frames = framesOf(required, missing);
   for (int frame : m_frames)
     if (m_cameras.count(frame) == 0)
       throwFileError(kStage, cameraPath, fmt::format("matrices of frame {}", frame), "none");
-  for (const ImageSource& source : imageSources(signals)) {
-    if (source.files.stem[0] == '\0') continue;
-    const FrameFileName files = filesOf(source.files.stem);
-    if (source.required) requireFrameFiles(m_directory, files, m_frames);
-    if (source.required || hasFrameFiles(m_directory, files, m_frames)) m_sources.push_back(source);
-  }
+  for (const ImageSource& source : imageSources(signals))
+    if (source.files.stem[0] != '\0' && (source.required || hasAll(filesOf(source.files.stem), m_frames)))
+      m_sources.push_back(source);
 
-  const ExrHeader first = readExrHeader(joinPath(m_directory, filesOf(kColor.stem)(m_frames.front())));
+  const ExrHeader first = readExrHeader(required.front().path(m_frames.front()));
   m_hasAlpha = std::count(first.channels.begin(), first.channels.end(), "A") > 0;
   m_width = first.width;
   m_height = first.height;
 }
 
+const FrameFiles& CyclesSequence::filesOf(const std::string& stem) const {
+  return m_files.withPrefix(stem + "_");
+}
+
 Image CyclesSequence::readImage(const std::string& stem, const char* channels, int frame) const {
-  return readLettersOfSize(joinPath(m_directory, filesOf(stem)(frame)), channels, m_width, m_height);
+  return readLettersOfSize(filesOf(stem).path(frame), channels, m_width, m_height);
 }
 
 FrameData CyclesSequence::read(int frame) const {
   requireFrame(m_directory, m_frames, frame);
   FrameData data;
   data.number = frame;
+  markGap(data, m_frames, filesOf(kColor.stem).path(frame - 1));
   data.camera = m_cameras.at(frame);
   data.demodulated = m_demodulated;
   for (const ImageSource& source : m_sources)
@@ -102,7 +102,7 @@ FrameData CyclesSequence::read(int frame) const {
 }
 
 std::string CyclesSequence::fileOf(int frame, const ImageFiles& files) const {
-  return joinPath(m_directory, filesOf(files.stem)(frame));
+  return filesOf(files.stem).path(frame);
 }
 
 bool CyclesSequence::jittered() const {
@@ -111,15 +111,14 @@ bool CyclesSequence::jittered() const {
 }
 
 bool CyclesSequence::hasReference(int frame, ReferenceKind kind) const {
-  return hasFile(m_directory, filesOf(referenceStem(kind, 'a', kColor.stem))(frame));
+  return filesOf(referenceStem(kind, 'a', kColor.stem)).has(frame);
 }
 
 Reference CyclesSequence::reference(int frame, ReferenceKind kind) const {
   requireReference(*this, frame, kind);
   const auto stem = [kind](char half) { return referenceStem(kind, half, kColor.stem); };
   Reference reference{readImage(stem('a'), kColor.channels, frame), {}, kind};
-  if (hasFile(m_directory, filesOf(stem('b'))(frame)))
-    reference.b = readImage(stem('b'), kColor.channels, frame);
+  if (filesOf(stem('b')).has(frame)) reference.b = readImage(stem('b'), kColor.channels, frame);
   return reference;
 }
 

@@ -1,6 +1,6 @@
 // Sequences as rendered with Blender Cycles: one OpenEXR file per buffer and frame, matrices in camera.json.
 //
-// For each frame NNNN (at least four digits, numbers without gaps): color_NNNN.exr, shading_normal_NNNN.exr and
+// For each frame NNNN (as frame_files.hpp says): color_NNNN.exr, shading_normal_NNNN.exr and
 // world_position_NNNN.exr; for all frames or none the other images of the contract, under the names and with the
 // channels that quell/frame_images.h says, and A beside the colour; for two signals diffuse_irradiance_NNNN.exr and glossy_radiance_NNNN.exr,
 // light before albedo and gloss colour;
@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "host/io/frame_files.hpp"
 #include "host/io/frame_sequence.hpp"
 #include "host/io/image_sources.hpp"
 
@@ -31,8 +32,10 @@ std::map<int, Camera> readCameraFile(const std::string& path);
 class CyclesSequence final : public FrameSequence {
  public:
   /// Checks that all files are there; pixels are read later. The size is that of the first colour image.
-  /// Throws Error(FileError): a missing frame or buffer, a malformed camera.json, a frame missing in it.
-  explicit CyclesSequence(std::string directory, int signals = 1);
+  /// `colors`: of the files of the colour those that count; empty: all. Throws Error(FileError): a missing frame or buffer,
+  /// a malformed camera.json, a frame missing in it.
+  explicit CyclesSequence(std::string directory, int signals = 1,
+                          MissingFrames missing = MissingFrames::Refuse, FrameFiles colors = {});
 
   std::string name() const override { return m_directory; }
   int width() const override { return m_width; }
@@ -48,9 +51,11 @@ class CyclesSequence final : public FrameSequence {
   bool jittered() const override;
 
  private:
+  const FrameFiles& filesOf(const std::string& stem) const;
   Image readImage(const std::string& stem, const char* channels, int frame) const;
 
   std::string m_directory;
+  FrameDirectory m_files;
   std::vector<int> m_frames;
   std::map<int, Camera> m_cameras;
   int m_width = 0;

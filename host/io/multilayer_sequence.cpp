@@ -53,14 +53,6 @@ std::vector<std::string> layersOf(const std::vector<std::string>& channels) {
   return layers;
 }
 
-std::size_t countDigits(const std::string& stem) {
-  std::size_t digits = 0;
-  while (digits < stem.size() && stem[stem.size() - 1 - digits] >= '0' &&
-         stem[stem.size() - 1 - digits] <= '9')
-    ++digits;
-  return std::min<std::size_t>(digits, 9);  // what fits an int
-}
-
 }  // namespace
 
 bool isMultilayerFile(const std::string& path) {
@@ -73,31 +65,23 @@ bool isMultilayerFile(const std::string& path) {
   }
 }
 
-std::string findMultilayerFile(const std::string& directory) {
-  std::error_code failure;
-  std::vector<std::string> paths;
-  const fs::directory_iterator end;
-  for (fs::directory_iterator entry(directory, failure); !failure && entry != end; entry.increment(failure))
-    if (entry->path().extension() == ".exr" && countDigits(entry->path().stem().string()) > 0)
-      paths.push_back(entry->path().string());
-  std::sort(paths.begin(), paths.end());
-  const auto found = std::find_if(paths.begin(), paths.end(), isMultilayerFile);
-  return found == paths.end() ? std::string() : *found;
+FrameFiles findMultilayerFiles(const std::string& directory) {
+  std::vector<FrameFiles> found;
+  for (FrameFiles& files : FrameDirectory(directory).all()) {
+    const std::vector<int> frames = files.frames();
+    if (std::any_of(frames.begin(), frames.end(),
+                    [&](int frame) { return isMultilayerFile(files.path(frame)); }))
+      found.push_back(std::move(files));
+  }
+  return found.empty() ? FrameFiles() : requireOneSequence(directory, found);
 }
 
-MultilayerSequence::MultilayerSequence(const std::string& path, bool wholeDirectory, int signals)
-    : m_name(wholeDirectory ? fs::path(path).parent_path().string() : path), m_signals(signals) {
-  const std::string stem = fs::path(path).stem().string();
-  const std::size_t digits = countDigits(stem);
-  m_digits = int(digits);
-  m_prefix = (fs::path(path).parent_path() / stem.substr(0, stem.size() - digits)).string();
-  const int number = digits > 0 ? std::stoi(stem.substr(stem.size() - digits)) : 0;
-  if (wholeDirectory) {
-    m_frames = findFrames(m_name, [&](int frame) { return fs::path(fileOf(frame)).filename().string(); });
-  } else {
-    m_frames = {number};
-  }
-
+MultilayerSequence::MultilayerSequence(std::string name, FrameFiles files, int signals, MissingFrames missing)
+    : m_name(std::move(name)),
+      m_files(std::move(files)),
+      m_frames(framesOf({m_files}, missing)),
+      m_signals(signals) {
+  const std::string path = m_files.path(m_frames.front());
   const ExrHeader header = readExrHeader(path);
   m_width = header.width;
   m_height = header.height;
@@ -107,7 +91,7 @@ MultilayerSequence::MultilayerSequence(const std::string& path, bool wholeDirect
     throwFileError(kStage, path, "one view layer with the pass Combined",
                    layers.empty() ? "none" : fmt::format("{}", fmt::join(layers, ", ")));
   m_layer = layers.front();
-  openCameras(fs::path(path).parent_path().string());
+  openCameras(m_files.directory());
   requirePasses();
 }
 
@@ -141,10 +125,6 @@ void MultilayerSequence::requirePasses() const {
     throwFileError(kStage, m_name, fmt::format("the pass {0}.Position or {0}.Depth", m_layer), "neither");
 }
 
-std::string MultilayerSequence::fileOf(int frame) const {
-  return m_digits > 0 ? fmt::format("{}{:0{}}.exr", m_prefix, frame, m_digits) : m_prefix + ".exr";
-}
-
 std::vector<std::string> MultilayerSequence::channelsOf(const std::string& pass,
                                                         const std::string& letters) const {
   std::vector<std::string> names;
@@ -169,7 +149,8 @@ Image MultilayerSequence::readImage(int frame, const ImageFiles& files) const {
   Image sum;
   for (const std::string& pass : passesOf(files)) {
     if (!hasPass(pass, files.passChannels)) continue;
-    Image image = readChannelsOfSize(fileOf(frame), channelsOf(pass, files.passChannels), m_width, m_height);
+    Image image =
+        readChannelsOfSize(m_files.path(frame), channelsOf(pass, files.passChannels), m_width, m_height);
     if (sum.empty()) {
       sum = std::move(image);
     } else {
@@ -186,8 +167,8 @@ const FoundCamera& MultilayerSequence::foundCamera(int frame) const {
 }
 
 std::optional<int> MultilayerSequence::lastFrameWithCamera(int frame) const {
-  for (; frame >= m_frames.front(); --frame)
-    if (foundCamera(frame).worldToClip) return frame;
+  for (auto last = std::upper_bound(m_frames.begin(), m_frames.end(), frame); last != m_frames.begin();)
+    if (foundCamera(*--last).worldToClip) return *last;
   return std::nullopt;
 }
 
@@ -203,10 +184,10 @@ void MultilayerSequence::setCamera(FrameData& data) const {
     return;
   }
   data.camera.worldToClip = worldToClipOf(frame);
-  data.camera.worldToClipPrev = frame > m_frames.front() ? worldToClipOf(frame - 1) : data.camera.worldToClip;
+  data.camera.worldToClipPrev = m_files.has(frame - 1) ? worldToClipOf(frame - 1) : data.camera.worldToClip;
   if (foundCamera(frame).worldToClip) return;
   const auto last = lastFrameWithCamera(frame);
-  data.warnings.push_back({FrameWarning::Kind::Camera, fileOf(frame),
+  data.warnings.push_back({FrameWarning::Kind::Camera, m_files.path(frame),
                            "camera.json, or a perspective camera that follows from Position and Depth",
                            foundCamera(frame).failure,
                            (last ? fmt::format("goes on with that of frame {}", *last)
@@ -218,7 +199,7 @@ Image MultilayerSequence::readPositions(int frame, const Matrix4& worldToClip) c
   if (hasImage(kPosition)) return readImage(frame, kPosition);
   auto position = positionsFromDepth(worldToClip, readImage(frame, kDepth));
   if (!position)
-    throwFileError("read frame", fileOf(frame), fmt::format("the pass {}.Position", m_layer),
+    throwFileError("read frame", m_files.path(frame), fmt::format("the pass {}.Position", m_layer),
                    "a camera from which positions cannot be found by Depth");
   return std::move(*position);
 }
@@ -227,6 +208,7 @@ FrameData MultilayerSequence::read(int frame) const {
   requireFrame(m_name, m_frames, frame);
   FrameData data;
   data.number = frame;
+  markGap(data, m_frames, m_files.path(frame - 1));
   setCamera(data);
   data.demodulated = m_signals == 2;
   for (const ImageSource& source : imageSources(m_signals))
@@ -234,7 +216,7 @@ FrameData MultilayerSequence::read(int frame) const {
                              ? readPositions(frame, data.camera.worldToClip)
                              : readImage(frame, source.files);
   if (hasPass(kColor.passes, "A"))
-    data.alpha = readChannelsOfSize(fileOf(frame), channelsOf(kColor.passes, "A"), m_width, m_height);
+    data.alpha = readChannelsOfSize(m_files.path(frame), channelsOf(kColor.passes, "A"), m_width, m_height);
   for (std::size_t pixel = 0; !data.motion.empty() && pixel < data.normalWorld.pixels.size() / 3; ++pixel) {
     float* motion = &data.motion.pixels[2 * pixel];
     const float* normal = &data.normalWorld.pixels[3 * pixel];

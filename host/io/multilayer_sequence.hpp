@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "host/io/camera_fit.hpp"
+#include "host/io/frame_files.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::io {
@@ -21,15 +22,16 @@ namespace quell::io {
 /// Whether the file is there and has a channel that ends with .Combined.R.
 bool isMultilayerFile(const std::string& path);
 
-/// The multilayer file of the least frame number in a directory; empty where there is none.
-std::string findMultilayerFile(const std::string& directory);
+/// The multilayer files of a directory; empty where there are none. Throws Error(FileError) naming both where there are
+/// two sequences.
+FrameFiles findMultilayerFiles(const std::string& directory);
 
 class MultilayerSequence final : public FrameSequence {
  public:
-  /// `path` is one frame; with `wholeDirectory` all files beside it that differ in the number before ".exr" alone.
-  /// Throws Error(FileError): no view layer or several, a pass that is missing (names it), a gap in the numbers, no
-  /// camera.json and not both of Position and Depth.
-  MultilayerSequence(const std::string& path, bool wholeDirectory, int signals);
+  /// `name` is what messages call the sequence. Throws Error(FileError): no view layer or several, a pass that is missing
+  /// (names it), a gap in the numbers, no camera.json and not both of Position and Depth.
+  MultilayerSequence(std::string name, FrameFiles files, int signals,
+                     MissingFrames missing = MissingFrames::Refuse);
 
   std::string name() const override { return m_name; }
   int width() const override { return m_width; }
@@ -39,14 +41,13 @@ class MultilayerSequence final : public FrameSequence {
   /// unreadable file. Where no camera can be found (all surfaces in one plane, or none at all), the frame has that of the
   /// last one before that has one, else standInCamera(), and a warning.
   FrameData read(int frame) const override;
-  std::string fileOf(int frame, const ImageFiles&) const override { return fileOf(frame); }
+  std::string fileOf(int frame, const ImageFiles&) const override { return m_files.path(frame); }
   bool hasReference(int frame, ReferenceKind kind) const override;
   Reference reference(int frame, ReferenceKind kind) const override;
 
  private:
   void openCameras(const std::string& directory);
   void requirePasses() const;
-  std::string fileOf(int frame) const;
   std::vector<std::string> channelsOf(const std::string& pass, const std::string& letters) const;
   bool hasPass(const std::string& pass, const std::string& letters) const;
   bool hasImage(const ImageFiles& files) const;
@@ -58,8 +59,7 @@ class MultilayerSequence final : public FrameSequence {
   void setCamera(FrameData& data) const;
 
   std::string m_name;
-  std::string m_prefix;  ///< path up to the number
-  int m_digits = 0;      ///< least digits of the number; 0: a name without one
+  FrameFiles m_files;
   std::vector<int> m_frames;
   std::map<int, Camera> m_cameras;             ///< empty: found from the passes
   mutable std::map<int, FoundCamera> m_found;  ///< by frame; looking takes longer than reading

@@ -1,17 +1,15 @@
-// What the sequence layouts share: finding numbered files and reading images of one size.
+// What the sequence layouts share: the frames of several files each, and images of one size.
 #pragma once
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "host/io/frame_files.hpp"
+#include "host/io/frame_sequence.hpp"
 #include "host/io/image.hpp"
 
 namespace quell::io {
-
-/// File name (without directory) of a frame number, for example 7 -> "color_0007.exr".
-using FrameFileName = std::function<std::string(int frame)>;
 
 /// Whether `name` exists in `directory` as something that can be opened as a file.
 bool hasFile(const std::string& directory, const std::string& name);
@@ -19,18 +17,17 @@ bool hasFile(const std::string& directory, const std::string& name);
 /// `directory` and `name` joined.
 std::string joinPath(const std::string& directory, const std::string& name);
 
-/// The frame numbers, ascending, for which `fileName` is in the directory.
-/// Throws Error(FileError): the directory cannot be listed, no such file, or a number is missing in between.
-std::vector<int> findFrames(const std::string& directory, const FrameFileName& fileName);
-
-/// Throws Error(FileError) naming the first frame without such a file.
-void requireFrameFiles(const std::string& directory, const FrameFileName& fileName,
-                       const std::vector<int>& frames);
+/// The frames of a sequence whose every frame needs a file of all of `required`, the first of which counts as the list of
+/// frames. With MissingFrames::Skip those that lack one are left out, as gaps are.
+/// Throws Error(FileError): no frame, a number that is missing in between, or a missing file (names it).
+std::vector<int> framesOf(const std::vector<FrameFiles>& required, MissingFrames missing);
 
 /// For a buffer that may be absent: false if no frame has the file, true if all have it.
 /// Throws Error(FileError) naming the missing file where only some have it.
-bool hasFrameFiles(const std::string& directory, const FrameFileName& fileName,
-                   const std::vector<int>& frames);
+bool hasAll(const FrameFiles& files, const std::vector<int>& frames);
+
+/// Marks a frame that follows a gap (afterGap), with a warning that lists what is missing.
+void markGap(FrameData& frame, const std::vector<int>& frames, const std::string& missingFile);
 
 /// Throws Error(InvalidArgument) unless `frame` is one of `frames`.
 void requireFrame(const std::string& directory, const std::vector<int>& frames, int frame);

@@ -34,6 +34,15 @@ std::pair<int, int> parsePair(const char* command, const char* option, const std
   }
 }
 
+std::pair<int, int> parseFrameRange(const char* command, const std::string& text) {
+  const bool colon = text.find(':') != std::string::npos || text.find('-') == 0;
+  return parsePair(command, "--frames", text, colon ? ':' : '-', "a range such as 0-15 or -2:1");
+}
+
+std::string frameRangeText(int first, int last) {
+  return fmt::format("{}{}{}", first, first < 0 ? ':' : '-', last);
+}
+
 Size parseSize(const char* command, const std::string& text) {
   const auto [width, height] = parsePair(command, "--size", text, 'x', "a size such as 1280x720");
   return {width, height};

@@ -23,6 +23,12 @@ bool isRefusal(const Error& error);
 std::pair<int, int> parsePair(const char* command, const char* option, const std::string& text,
                               char separator, const char* expected);
 
+/// "A-B" as the frames of --frames, or "A:B" where one of them is negative; a single number stands for both. Throws
+/// Error(InvalidArgument).
+std::pair<int, int> parseFrameRange(const char* command, const std::string& text);
+/// The same as text.
+std::string frameRangeText(int first, int last);
+
 /// "1280x720". Only the form is checked, not the range. Throws Error(InvalidArgument).
 Size parseSize(const char* command, const std::string& text);
 

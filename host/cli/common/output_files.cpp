@@ -55,7 +55,8 @@ OutputFiles::OutputFiles(std::string directory, OutputFormats formats)
 }
 
 std::string OutputFiles::path(const std::string& prefix, int frame, const char* extension) const {
-  return (std::filesystem::path(m_directory) / fmt::format("{}_{:04d}.{}", prefix, frame, extension))
+  return (std::filesystem::path(m_directory) /
+          fmt::format("{}_{}.{}", prefix, io::paddedFrame(frame), extension))
       .string();
 }
 

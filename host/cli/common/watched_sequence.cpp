@@ -76,8 +76,9 @@ class WatchedSequence final : public io::FrameSequence {
 
 }  // namespace
 
-std::unique_ptr<io::FrameSequence> openWatched(const std::string& path, int signals) {
-  return std::make_unique<WatchedSequence>(io::openSequence(path, signals));
+std::unique_ptr<io::FrameSequence> openWatched(const std::string& path, int signals,
+                                               io::MissingFrames missing) {
+  return std::make_unique<WatchedSequence>(io::openSequence(path, signals, missing));
 }
 
 }  // namespace quell::cli

@@ -31,6 +31,7 @@ struct DenoiseOptions {
   std::string input;
   std::string output;
   std::string frames;
+  std::string missing = "error";
   std::string size = "1280x720";
   std::string timers = "device";
   std::string motion = "auto";
@@ -49,7 +50,9 @@ struct DenoiseOptions {
 };
 
 std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
-  if (!options.input.empty()) return openWatched(options.input, options.signals);
+  if (!options.input.empty())
+    return openWatched(options.input, options.signals,
+                       options.missing == "skip" ? io::MissingFrames::Skip : io::MissingFrames::Refuse);
   if (options.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
   const Size size = parseSize(kCommand, options.size);
   io::AnalyticOptions analytic;
@@ -64,13 +67,14 @@ std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
 std::vector<int> chooseFrames(const DenoiseOptions& options, const io::FrameSequence& sequence) {
   std::vector<int> frames = sequence.frames();
   if (options.frames.empty()) return frames;
-  const auto [first, last] = parsePair(kCommand, "--frames", options.frames, '-', "a range such as 0-15");
-  const std::string present = fmt::format("a range within {}-{}", frames.front(), frames.back());
+  const auto [first, last] = parseFrameRange(kCommand, options.frames);
+  const std::string present = fmt::format("a range within {}", frameRangeText(frames.front(), frames.back()));
   if (first > last || first < frames.front() || last > frames.back())
     refuse(kCommand, "--frames", present, options.frames);
   frames.erase(
       std::remove_if(frames.begin(), frames.end(), [a = first, b = last](int f) { return f < a || f > b; }),
       frames.end());
+  if (frames.empty()) refuse(kCommand, "--frames", "frames that are not missing", options.frames);
   return frames;
 }
 
@@ -149,21 +153,21 @@ void runDenoise(const DenoiseOptions& options) {
   if (files) fmt::print("\npictures and frames are in {}\n", options.output);
 }
 
-}  // namespace
-
-void addDenoiseCommand(CLI::App& app) {
-  auto options = std::make_shared<DenoiseOptions>();
-  CLI::App* command = app.add_subcommand("denoise", "Denoise a frame sequence and report time and error");
-  addMethodArguments(*command, options->method);
+void addInputOptions(CLI::App* command, const std::shared_ptr<DenoiseOptions>& options) {
   command->add_option(
       "--input", options->input,
       "Directory with a sequence (see data/README.md), or a multilayer OpenEXR file as Blender's Cycles "
       "writes it, "
-      "or a directory of these; without it a built-in sequence is made up. Multilayer files need the passes "
+      "or a directory of these, or their names as shot_####.exr, shot_%04d.exr or a quoted glob; without it "
+      "a "
+      "built-in sequence is made up. Multilayer files need the passes "
       "Combined and Normal, and both of Position and Depth, or one of them and camera.json");
-  command->add_option("--output", options->output,
-                      "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
-  command->add_option("--frames", options->frames, "Frames A-B; default: all");
+  command->add_option("--frames", options->frames, "Frames A-B (A:B where one is negative); default: all");
+  command
+      ->add_option("--missing", options->missing,
+                   "Frames missing in between: error, or skip, which goes on after a gap as after a cut")
+      ->check(CLI::IsMember({"error", "skip"}))
+      ->capture_default_str();
   command->add_option("--size", options->size, "Size of the built-in sequence")->capture_default_str();
   command->add_option("--frame-count", options->analyticFrames, "Length of the built-in sequence")
       ->check(CLI::PositiveNumber)
@@ -173,6 +177,17 @@ void addDenoiseCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--still-camera", options->stillCamera,
                     "The camera of the built-in sequence stands still");
+}
+
+}  // namespace
+
+void addDenoiseCommand(CLI::App& app) {
+  auto options = std::make_shared<DenoiseOptions>();
+  CLI::App* command = app.add_subcommand("denoise", "Denoise a frame sequence and report time and error");
+  addMethodArguments(*command, options->method);
+  addInputOptions(command, options);
+  command->add_option("--output", options->output,
+                      "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
   addSignalsOption(*command, options->signals);
   addMotionOption(*command, options->motion);
   command->add_option("--timers", options->timers, "Where stage times come from")
