@@ -97,11 +97,8 @@ MultilayerSequence::MultilayerSequence(std::string name, FrameFiles files, int s
 
 void MultilayerSequence::openCameras(const std::string& directory) {
   if (!hasFile(directory.empty() ? "." : directory, kCyclesCameraFile)) return;
-  const std::string path = joinPath(directory, kCyclesCameraFile);
-  m_cameras = readCameraFile(path);
-  for (const int frame : m_frames)
-    if (m_cameras.count(frame) == 0)
-      throwFileError(kStage, path, fmt::format("matrices of frame {}", frame), "none");
+  const PixelWindow whole{0, 0, m_width, m_height};
+  m_cameras = DeclaredCameras(joinPath(directory, kCyclesCameraFile), {whole, whole}, m_frames);
 }
 
 void MultilayerSequence::requirePasses() const {
@@ -180,7 +177,7 @@ Matrix4 MultilayerSequence::worldToClipOf(int frame) const {
 void MultilayerSequence::setCamera(FrameData& data) const {
   const int frame = data.number;
   if (!m_cameras.empty()) {
-    data.camera = m_cameras.at(frame);
+    m_cameras.setCamera(data, [&] { return hasImage(kPosition) ? readImage(frame, kPosition) : Image(); });
     return;
   }
   data.camera.worldToClip = worldToClipOf(frame);

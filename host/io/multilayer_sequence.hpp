@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "host/io/camera_fit.hpp"
+#include "host/io/declared_cameras.hpp"
 #include "host/io/frame_files.hpp"
 #include "host/io/frame_sequence.hpp"
 
@@ -61,7 +62,7 @@ class MultilayerSequence final : public FrameSequence {
   std::string m_name;
   FrameFiles m_files;
   std::vector<int> m_frames;
-  std::map<int, Camera> m_cameras;             ///< empty: found from the passes
+  DeclaredCameras m_cameras;                   ///< empty: found from the passes
   mutable std::map<int, FoundCamera> m_found;  ///< by frame; looking takes longer than reading
   std::vector<std::string> m_channels;
   std::string m_layer;
