@@ -85,15 +85,14 @@ std::vector<Matrix4> headerCameras(const ExrHeader& header) {
   if (view) addViewCameras(all, *view, *header.attributes, aspect);
   if (ndc) addNdcCameras(all, transposed(*ndc), aspect);
   if (view) addViewCameras(all, transposed(*view), *header.attributes, aspect);
+  for (Matrix4& matrix : all) matrix = cropped({matrix, matrix, {}}, header.windows).worldToClip;
   return all;
 }
 
-std::optional<Matrix4> headerCamera(const ExrHeader& header, const Image& positionWorld) {
-  for (const Matrix4& worldToClip : headerCameras(header)) {
-    const Matrix4 matrix = cropped({worldToClip, worldToClip, {}}, header.windows).worldToClip;
-    if (positionWorld.empty()) return matrix;
-    const auto error = projectionErrorPx(matrix, {}, positionWorld);
-    if (error && fits(*error, positionWorld)) return matrix;
+std::optional<std::size_t> fittingCamera(const std::vector<Matrix4>& cameras, const Image& positionWorld) {
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const auto error = projectionErrorPx(cameras[i], {}, positionWorld);
+    if (!error || fits(*error, positionWorld)) return i;
   }
   return std::nullopt;
 }

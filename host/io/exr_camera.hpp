@@ -10,14 +10,14 @@
 
 namespace quell::io {
 
-/// World to clip of the display window by the attributes worldToNDC, or worldToCamera with the screen window, in all the
+/// World to clip, cut to the data window, by the attributes worldToNDC, or worldToCamera with the screen window, in all the
 /// ways in which renderers write them: for row or column vectors; NDC from -1 to 1 or 0 to 1, y up or down, the longer side
 /// beyond 1 or not; the view axis along z or against it. The way of OpenEXR's documentation comes first. Empty without these
-/// attributes.
+/// attributes; else as many for all frames of a renderer, in the same order.
 std::vector<Matrix4> headerCameras(const ExrHeader& header);
 
-/// The first of them, cut to the data window, that puts the positions (3 channels) at their pixels; for an empty image the
-/// first one; else nothing.
-std::optional<Matrix4> headerCamera(const ExrHeader& header, const Image& positionWorld);
+/// Which of them puts the positions (3 channels) at their pixels; the first one for an empty image or one without
+/// surfaces; nothing if none does.
+std::optional<std::size_t> fittingCamera(const std::vector<Matrix4>& cameras, const Image& positionWorld);
 
 }  // namespace quell::io

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "host/io/cycles_sequence.hpp"
+#include "host/io/exr_camera.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/file_error.hpp"
 #include "host/io/image_sources.hpp"
@@ -91,6 +92,7 @@ MultilayerSequence::MultilayerSequence(std::string name, FrameFiles files, int s
     throwFileError(kStage, path, "one view layer with the pass Combined",
                    layers.empty() ? "none" : fmt::format("{}", fmt::join(layers, ", ")));
   m_layer = layers.front();
+  m_headerCameras = !headerCameras(header).empty();
   openCameras(m_files.directory());
   requirePasses();
 }
@@ -113,7 +115,7 @@ void MultilayerSequence::requirePasses() const {
         if (!hasPass(pass, source.files.passChannels))
           throwFileError(kStage, m_name, fmt::format("the pass {}.{}", m_layer, pass), "a file without it");
   const bool position = hasImage(kPosition), depth = hasImage(kDepth);
-  if (m_cameras.empty() && !(position && depth))
+  if (m_cameras.empty() && !m_headerCameras && !(position && depth))
     throwFileError(
         kStage, m_name,
         fmt::format("the pass {}.{}, or camera.json beside it", m_layer, position ? "Depth" : "Position"),
@@ -157,10 +159,25 @@ Image MultilayerSequence::readImage(int frame, const ImageFiles& files) const {
   return sum;
 }
 
+std::optional<Matrix4> MultilayerSequence::headerCamera(int frame, const Image& positions) const {
+  const std::vector<Matrix4> cameras = headerCameras(readExrHeader(m_files.path(frame)));
+  if (!m_form) m_form = fittingCamera(cameras, positions);
+  if (!m_form || *m_form >= cameras.size()) return std::nullopt;
+  return cameras[*m_form];
+}
+
 const FoundCamera& MultilayerSequence::foundCamera(int frame) const {
   const auto known = m_found.find(frame);
   if (known != m_found.end()) return known->second;
-  return m_found[frame] = findCamera(readImage(frame, kPosition), readImage(frame, kDepth));
+  FoundCamera found;
+  const Image positions = hasImage(kPosition) ? readImage(frame, kPosition) : Image();
+  if (m_headerCameras) found.worldToClip = headerCamera(frame, positions);
+  if (!found.worldToClip && (positions.empty() || !hasImage(kDepth)))
+    throwFileError("read frame", m_files.path(frame),
+                   "a camera in the header that puts positions at their pixels",
+                   "one that does not; camera.json beside the file would tell");
+  if (!found.worldToClip) found = findCamera(positions, readImage(frame, kDepth));
+  return m_found[frame] = std::move(found);
 }
 
 std::optional<int> MultilayerSequence::lastFrameWithCamera(int frame) const {

@@ -4,8 +4,8 @@
 // Needed: Combined, Normal, and Position or Depth. Read where a file has them: the passes of the other images of the
 // contract (quell/frame_images.h). Two signals need DiffDir, DiffInd, GlossDir, GlossInd, DiffCol and GlossCol besides.
 //
-// The camera comes from camera.json beside the files (cycles_sequence.hpp), whose frame numbers are those of the file
-// names. Without it, it follows from Position and Depth: each is a linear function of the other, up to the pixel.
+// The camera comes from camera.json beside the files (camera_file.hpp), whose frame numbers are those of the file names, or
+// from the headers of the files (exr_camera.hpp). Without, it follows from Position and Depth: each is a linear function of the other, up to the pixel.
 // Alpha of Combined is kept beside the frame.
 #pragma once
 
@@ -55,6 +55,7 @@ class MultilayerSequence final : public FrameSequence {
   Image readImage(int frame, const ImageFiles& files) const;
   Image readPositions(int frame, const Matrix4& worldToClip) const;
   const FoundCamera& foundCamera(int frame) const;
+  std::optional<Matrix4> headerCamera(int frame, const Image& positions) const;
   std::optional<int> lastFrameWithCamera(int frame) const;  ///< up to this one
   Matrix4 worldToClipOf(int frame) const;
   void setCamera(FrameData& data) const;
@@ -63,6 +64,8 @@ class MultilayerSequence final : public FrameSequence {
   FrameFiles m_files;
   std::vector<int> m_frames;
   DeclaredCameras m_cameras;                   ///< empty: found from the passes
+  bool m_headerCameras = false;                ///< in the headers of the files
+  mutable std::optional<std::size_t> m_form;   ///< which of headerCameras() the first frame shows to be meant
   mutable std::map<int, FoundCamera> m_found;  ///< by frame; looking takes longer than reading
   std::vector<std::string> m_channels;
   std::string m_layer;

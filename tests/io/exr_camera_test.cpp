@@ -7,7 +7,10 @@
 #include <memory>
 
 #include "host/io/camera_convention.hpp"
+#include "tests/support/error_matcher.hpp"
+#include "tests/support/exr_parts.hpp"
 #include "tests/support/multilayer_files.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 using namespace quell::io;
 using quell::Matrix4;
@@ -38,6 +41,12 @@ Matrix4 scaledRows(Matrix4 m, double x, double shiftX, double y, double shiftY) 
     m[4 + column] = y * m[4 + column] + shiftY * m[12 + column];
   }
   return m;
+}
+
+std::optional<Matrix4> headerCamera(const ExrHeader& header, const Image& positions) {
+  const std::vector<Matrix4> cameras = headerCameras(header);
+  const auto index = fittingCamera(cameras, positions);
+  return index ? std::optional(cameras.at(*index)) : std::nullopt;
 }
 
 }  // namespace
@@ -88,4 +97,24 @@ TEST_CASE("a camera by worldToCamera and the screen window", "[exr camera]") {
     REQUIRE(found);
     CHECK(projectionError(*found, m, frame) < 0.01);
   }
+}
+
+TEST_CASE("a multilayer file needs no depth where its header has a camera", "[exr camera]") {
+  const quell::tests::TemporaryDirectory directory;
+  const FrameData frame = builtIn()->read(3);
+  quell::tests::Planes planes;
+  quell::tests::addPlanes(planes, "L.Combined", frame.radiance, "RGB");
+  quell::tests::addPlanes(planes, "L.Normal", frame.normalWorld, "XYZ");
+  quell::tests::addPlanes(planes, "L.Position", frame.positionWorld, "XYZ");
+  const auto write = [&](const Matrix4& matrix) {
+    quell::tests::writePlanes(directory.file("1.exr"), planes, *headerWith("worldToNDC", matrix).attributes);
+    return openSequence(directory.path())->read(1);
+  };
+  CHECK(projectionError(write(frame.camera.worldToClip).camera.worldToClip, frame.camera.worldToClip, frame) <
+        0.01);
+  Matrix4 other = frame.camera.worldToClip;
+  other[3] += 100.0;
+  REQUIRE_THROWS_MATCHES(
+      write(other), quell::Error,
+      quell::tests::failsWith(quell::ErrorCode::FileError, {"1.exr", "header", "camera.json"}));
 }
