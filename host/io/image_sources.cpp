@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "host/io/exr_image.hpp"
-
 namespace quell::io {
 
 std::vector<ImageSource> imageSources(int signals) {
@@ -31,11 +29,14 @@ std::vector<ImageSource> imageSources(int signals) {
   return sources;
 }
 
+ExrType exrTypeOf(FileSamples samples) {
+  return samples == FileSamples::HALF    ? ExrType::Half
+         : samples == FileSamples::FLOAT ? ExrType::Float
+                                         : ExrType::Uint;
+}
+
 void writeImage(const std::string& path, const Image& image, const ImageFiles& files) {
-  writeExr(path, image,
-           files.samples == FileSamples::HALF    ? ExrType::Half
-           : files.samples == FileSamples::FLOAT ? ExrType::Float
-                                                 : ExrType::Uint);
+  writeExr(path, image, exrTypeOf(files.samples));
 }
 
 }  // namespace quell::io

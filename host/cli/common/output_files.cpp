@@ -66,6 +66,11 @@ void OutputFiles::write(int frame, const DenoisedFrame& denoised, const io::Imag
   if (m_formats.exr) writePicture(path("display", frame, "exr"), denoised.display, alpha, m_formats.samples);
 }
 
+void OutputFiles::writeLinear(const std::string& prefix, const io::FrameData& frame,
+                              const io::Image& picture) const {
+  writePicture(path(prefix, frame.number, "exr"), picture, frame.alpha, m_formats.samples);
+}
+
 void OutputFiles::writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,
                                   const io::Reference& reference) const {
   io::writePng(path("comparison", noisy.number, "png"),

@@ -16,6 +16,7 @@
 #include "host/cli/common/output_files.hpp"
 #include "host/cli/common/progress.hpp"
 #include "host/cli/common/watched_sequence.hpp"
+#include "host/cli/denoise/further_outputs.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/frame_sequence.hpp"
 
@@ -46,6 +47,7 @@ struct DenoiseOptions {
   bool png = false;
   bool exr = false;
   bool floats = false;
+  FurtherOutputs further;
   bool copyBandwidth = false;
 };
 
@@ -86,16 +88,34 @@ TimerMode timerMode(const std::string& name) {
 std::unique_ptr<OutputFiles> openOutput(const DenoiseOptions& options) {
   if (options.output.empty() && (options.debugTiles || !options.dump.empty()))
     refuse(kCommand, options.debugTiles ? "--debug tiles" : "--dump", "--output as well", "none");
+  if (options.output.empty() && options.further.any())
+    refuse(kCommand, "--pfm, --accumulated or --multilayer", "--output as well", "none");
+  if (options.input.empty() && options.further.multilayer)
+    refuse(kCommand, "--multilayer", "--input as well", "the built-in sequence");
   if (options.output.empty()) return nullptr;
   return std::make_unique<OutputFiles>(
       options.output, OutputFormats{options.png || !options.exr, options.exr,
                                     options.floats ? io::ExrType::Float : io::ExrType::Half});
 }
 
+/// Null where there is nothing further to write.
+std::unique_ptr<FurtherOutputWriter> openFurther(const io::FrameSequence& sequence,
+                                                 const DenoiseOptions& options, const Settings& settings,
+                                                 int firstFrame, const OutputFiles* files) {
+  if (files == nullptr || !options.further.any()) return nullptr;
+  std::unique_ptr<DenoiseSession> accumulation;
+  if (options.further.accumulated)
+    accumulation = std::make_unique<DenoiseSession>(
+        options.device.device, accumulationSettings(settings, sequence),
+        makeOptions(options.device, TimerMode::Off), sequence.read(firstFrame), motionUse(options.motion));
+  return std::make_unique<FurtherOutputWriter>(options.further, *files, sequence, options.signals,
+                                               std::move(accumulation));
+}
+
 // Denoises the frames, writes what there is to write of each, and fills the report's frames, errors and hash.
 void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& frames,
                    const DenoiseOptions& options, DenoiseSession& session, const OutputFiles* files,
-                   DenoiseReport& report) {
+                   FurtherOutputWriter* further, DenoiseReport& report) {
   OutputHash hash;
   metrics::MotionCompensatedErrorMeter flicker;
   io::References references(sequence);
@@ -107,6 +127,7 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
     hash.add(denoised.display);
     flicker.add(trackFrame(frame, denoised));
     if (files != nullptr) files->write(number, denoised, frame.alpha);
+    if (further != nullptr) further->write(frame, denoised);
     for (const std::string& name : options.dump)
       files->writeBuffer(number, session.denoiser().readBuffer(name));
     if (options.debugTiles) files->writeTiles(number, denoised, session.denoiser().backgroundMap());
@@ -140,7 +161,8 @@ void runDenoise(const DenoiseOptions& options) {
   report.device = session.device();
   report.settings = settings;
   report.size = {sequence->width(), sequence->height()};
-  denoiseFrames(*sequence, frames, options, session, files.get(), report);
+  const auto further = openFurther(*sequence, options, settings, frames.front(), files.get());
+  denoiseFrames(*sequence, frames, options, session, files.get(), further.get(), report);
   report.memory = session.denoiser().memoryUse();
   if (options.timers != "off") report.timings = session.timings();
   if (options.copyBandwidth) {
@@ -151,6 +173,16 @@ void runDenoise(const DenoiseOptions& options) {
   writeJson(options.json, toJson(report));
   print(report);
   if (files) fmt::print("\npictures and frames are in {}\n", options.output);
+}
+
+void addFurtherOptions(CLI::App* command, FurtherOutputs& further) {
+  command->add_flag("--pfm", further.pfm, "Write denoised_NNNN.pfm as well");
+  command->add_flag(
+      "--accumulated", further.accumulated,
+      "Write accumulated_NNNN.exr as well: linear, the history of the method quell before its filter, "
+      "for denoisers that look at one frame alone");
+  command->add_flag("--multilayer", further.multilayer,
+                    "Write multilayer_NNNN.exr as well: all that was read, with the pass Denoised beside it");
 }
 
 void addInputOptions(CLI::App* command, const std::shared_ptr<DenoiseOptions>& options) {
@@ -209,6 +241,7 @@ void addDenoiseCommand(CLI::App& app) {
   command->add_flag("--exr", options->exr, "Write display images as OpenEXR");
   command->add_flag("--float", options->floats,
                     "Write OpenEXR files as 32-bit floats; default: half, 6e-8 to 65504");
+  addFurtherOptions(command, options->further);
   command->add_flag("--copy-bandwidth", options->copyBandwidth,
                     "Also measure the device's copy bandwidth and report times in copies");
   command->footer(settingsHelp("--set"));
