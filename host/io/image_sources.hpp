@@ -8,7 +8,7 @@
 
 namespace quell::io {
 
-/// One image of FrameData, its files and passes.
+/// One image of FrameData, its files and its role.
 struct ImageSource {
   Image FrameData::*image;
   ImageFiles files;
