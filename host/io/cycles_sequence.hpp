@@ -5,29 +5,20 @@
 // channels that quell/frame_images.h says, and A beside the colour; for two signals diffuse_irradiance_NNNN.exr and glossy_radiance_NNNN.exr,
 // light before albedo and gloss colour;
 // for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference through pixel centres, and
-// ref_aa_a_color_NNNN.exr and ref_aa_b_color_NNNN.exr, those of the antialiased one. Other files are ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
-// ...]}, in the convention of quell::Camera: row-major, column vectors, NDC y up, without jitter. A frame's entry may have
-// "jitter_px": [x, y], too, where the primary rays left the pixel centres; without it they went through them.
+// ref_aa_a_color_NNNN.exr and ref_aa_b_color_NNNN.exr, those of the antialiased one. Other files are ignored. camera.json: see camera_file.hpp.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "host/io/camera_file.hpp"
+#include "host/io/declared_cameras.hpp"
 #include "host/io/frame_files.hpp"
 #include "host/io/frame_sequence.hpp"
 #include "host/io/image_sources.hpp"
 
 namespace quell::io {
-
-/// The file of a directory that marks this layout.
-constexpr char kCyclesCameraFile[] = "camera.json";
-/// Of a frame in it: Camera::jitterPx.
-constexpr char kJitterKey[] = "jitter_px";
-
-/// The cameras of a camera.json by frame. Throws Error(FileError).
-std::map<int, Camera> readCameraFile(const std::string& path);
 
 class CyclesSequence final : public FrameSequence {
  public:
@@ -59,7 +50,7 @@ class CyclesSequence final : public FrameSequence {
   std::string m_directory;
   FrameDirectory m_files;
   std::vector<int> m_frames;
-  std::map<int, Camera> m_cameras;
+  DeclaredCameras m_cameras;
   PictureWindows m_windows;
   bool m_demodulated = false;
   bool m_hasAlpha = false;             ///< channel A beside the colour

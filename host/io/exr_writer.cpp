@@ -4,10 +4,8 @@
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
 #include <fmt/format.h>
-#include <half.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <iterator>
@@ -15,15 +13,13 @@
 
 #include "host/io/atomic_file.hpp"
 #include "host/io/exr_image.hpp"
+#include "host/io/exr_samples.hpp"
 #include "host/io/file_error.hpp"
 
 namespace quell::io {
 namespace {
 
 using ChannelNames = std::vector<std::string>;
-
-/// Largest finite IEEE 754 binary16 value.
-constexpr float kHalfMax = 65504.0f;
 
 ChannelNames namesForWriting(int channels) {
   if (channels == 1) return {"Y"};
@@ -35,16 +31,6 @@ ChannelNames namesForWriting(int channels) {
   throw Error(ErrorCode::InvalidArgument,
               {"write EXR", path, expected,
                fmt::format("{}x{} pixels of {} channels", image.width, image.height, image.channels)});
-}
-
-/// Half range with NaN kept: every comparison with NaN is false, so std::clamp returns it.
-half toHalf(float value) { return half(std::clamp(value, -kHalfMax, kHalfMax)); }
-
-/// The largest float below 2^32.
-constexpr float kUintMax = 4294967040.0f;
-
-std::uint32_t toUint(float value) {
-  return value > 0.0f ? static_cast<std::uint32_t>(std::min(std::round(value), kUintMax)) : 0u;
 }
 
 /// Attributes that speak of how or what pixels are stored in a file, or show them.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/io/cycles_sequence.hpp"
+#include "host/io/exr_camera.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/file_error.hpp"
 #include "host/io/image_sources.hpp"
@@ -67,17 +68,14 @@ MultilayerSequence::MultilayerSequence(std::string name, std::vector<PassFiles> 
     : m_name(std::move(name)),
       m_files(m_name, std::move(passes), options.channels, options.missing),
       m_signals(options.signals) {
+  m_headerCameras = !headerCameras(readExrHeader(m_files.fileOf(m_files.frames().front()))).empty();
   openCameras(m_files.directory());
   requireImages();
 }
 
 void MultilayerSequence::openCameras(const std::string& directory) {
   if (!hasFile(directory.empty() ? "." : directory, kCyclesCameraFile)) return;
-  const std::string path = joinPath(directory, kCyclesCameraFile);
-  m_cameras = readCameraFile(path);
-  for (const int frame : m_files.frames())
-    if (m_cameras.count(frame) == 0)
-      throwFileError(kStage, path, fmt::format("matrices of frame {}", frame), "none");
+  m_cameras = DeclaredCameras(joinPath(directory, kCyclesCameraFile), m_files.windows(), m_files.frames());
 }
 
 void MultilayerSequence::requireImages() const {
@@ -86,9 +84,9 @@ void MultilayerSequence::requireImages() const {
   // The light of two signals is divided by these.
   if (m_signals == 2)
     for (const char* factor : {"albedo", "gloss_color"}) m_files.require(factor);
-  if (m_cameras.empty())
-    for (const char* image : {kPosition, kDepth}) m_files.require(image, ", or camera.json beside the files");
-  if (const DepthKind kind = m_files.depthKind(); m_cameras.empty() && kind != DepthKind::View)
+  if (!m_cameras.empty() || m_headerCameras) return;
+  for (const char* image : {kPosition, kDepth}) m_files.require(image, ", or camera.json beside the files");
+  if (const DepthKind kind = m_files.depthKind(); kind != DepthKind::View)
     throwFileError(kStage, m_name, "camera.json beside the files, or depth along the view axis",
                    fmt::format("depth of the kind {}", toString(kind)));
 }
@@ -99,10 +97,26 @@ Image MultilayerSequence::readOne(int frame, const char* image) const {
   return m_files.read(unwatched, image);
 }
 
+std::optional<Matrix4> MultilayerSequence::headerCamera(int frame, const Image& positions) const {
+  const std::vector<Matrix4> cameras = headerCameras(readExrHeader(m_files.fileOf(frame)));
+  if (!m_form) m_form = fittingCamera(cameras, positions);
+  if (!m_form || *m_form >= cameras.size()) return std::nullopt;
+  return cameras[*m_form];
+}
+
 const FoundCamera& MultilayerSequence::foundCamera(int frame) const {
   const auto known = m_found.find(frame);
   if (known != m_found.end()) return known->second;
-  return m_found[frame] = findCamera(readOne(frame, kPosition), readOne(frame, kDepth));
+  FoundCamera found;
+  const Image positions = m_files.has(kPosition) ? readOne(frame, kPosition) : Image();
+  if (m_headerCameras) found.worldToClip = headerCamera(frame, positions);
+  const bool follows = !positions.empty() && m_files.has(kDepth) && m_files.depthKind() == DepthKind::View;
+  if (!found.worldToClip && !follows)
+    throwFileError("read frame", m_files.fileOf(frame),
+                   "a camera in the header that puts positions at their pixels",
+                   "one that does not; camera.json beside the file would tell");
+  if (!found.worldToClip) found = findCamera(positions, readOne(frame, kDepth));
+  return m_found[frame] = std::move(found);
 }
 
 std::optional<int> MultilayerSequence::lastFrameWithCamera(int frame) const {
@@ -120,7 +134,7 @@ Matrix4 MultilayerSequence::worldToClipOf(int frame) const {
 void MultilayerSequence::setCamera(FrameData& data) const {
   const int frame = data.number;
   if (!m_cameras.empty()) {
-    data.camera = cropped(m_cameras.at(frame), m_files.windows());
+    m_cameras.setCamera(data, [&] { return m_files.has(kPosition) ? readOne(frame, kPosition) : Image(); });
     return;
   }
   const bool follows = std::binary_search(m_files.frames().begin(), m_files.frames().end(), frame - 1);
@@ -138,9 +152,10 @@ void MultilayerSequence::setCamera(FrameData& data) const {
 
 Image MultilayerSequence::readPositions(FrameData& data) const {
   if (m_files.has(kPosition)) return m_files.read(data, kPosition);
-  const Image depth =
-      viewDepthOf(m_files.read(data, kDepth), m_files.depthKind(),
-                  {data.camera.worldToClip, data.camera.jitterPx, {}}, m_files.fileOf(data.number, kDepth));
+  const Image depth = viewDepthOf(m_files.read(data, kDepth), m_files.depthKind(),
+                                  {data.camera.worldToClip, data.camera.jitterPx,
+                                   m_cameras.empty() ? std::nullopt : m_cameras.rangeOf(data.number)},
+                                  m_files.fileOf(data.number, kDepth));
   auto position = positionsFromDepth(data.camera.worldToClip, depth);
   if (!position)
     throwFileError("read frame", m_files.fileOf(data.number, kDepth), "channels of position",

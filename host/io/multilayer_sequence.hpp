@@ -5,10 +5,10 @@
 // (quell/frame_images.h). Two signals need diffuse, glossy, albedo and gloss_color besides; what they do not explain of the
 // colour stays in the picture (light_remainder.hpp).
 //
-// The camera comes from camera.json beside the files (cycles_sequence.hpp), whose frame numbers are those of the file
-// names. Without it, it follows from position and depth: each is a linear function of the other, up to the pixel.
-// Motion of Cycles is turned to that of the contract; that of others is taken as it is. Alpha of the colour is kept beside
-// the frame.
+// The camera comes from camera.json beside the files (camera_file.hpp), whose frame numbers are those of the file names, or
+// from the headers of the files (exr_camera.hpp). Without, it follows from position and depth: each is a linear function
+// of the other, up to the pixel. Motion of Cycles is turned to that of the contract; that of others is taken as it is.
+// Alpha of the colour is kept beside the frame.
 #pragma once
 
 #include <map>
@@ -17,6 +17,7 @@
 
 #include "host/io/camera_fit.hpp"
 #include "host/io/channel_files.hpp"
+#include "host/io/declared_cameras.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::io {
@@ -53,13 +54,16 @@ class MultilayerSequence final : public FrameSequence {
   Image readOne(int frame, const char* image) const;
   Image readPositions(FrameData& data) const;
   const FoundCamera& foundCamera(int frame) const;
+  std::optional<Matrix4> headerCamera(int frame, const Image& positions) const;
   std::optional<int> lastFrameWithCamera(int frame) const;  ///< up to this one
   Matrix4 worldToClipOf(int frame) const;
   void setCamera(FrameData& data) const;
 
   std::string m_name;
   ChannelFiles m_files;
-  std::map<int, Camera> m_cameras;             ///< empty: found from the passes
+  DeclaredCameras m_cameras;                   ///< empty: found from the passes
+  bool m_headerCameras = false;                ///< in the headers of the files
+  mutable std::optional<std::size_t> m_form;   ///< which of headerCameras() the first frame shows to be meant
   mutable std::map<int, FoundCamera> m_found;  ///< by frame; looking takes longer than reading
   int m_signals = 1;
 };
