@@ -77,8 +77,7 @@ BmfrSequence::BmfrSequence(std::string directory, MissingFrames missing, FrameFi
                    std::to_string(m_frames.front()));
   readCameraHeader();
   const ExrHeader first = readExrHeader(required.front().path(m_frames.front()));
-  m_width = first.width;
-  m_height = first.height;
+  m_windows = first.windows;
 }
 
 const FrameFiles& BmfrSequence::filesOf(const ImageFiles& files) const {
@@ -116,10 +115,11 @@ FrameData BmfrSequence::read(int frame) const {
   FrameData data;
   data.number = frame;
   markGap(data, m_frames, fileOf(frame - 1, factsOf(&FrameData::radiance).files));
-  data.camera = cameraOf(frame);
+  data.origin = originOf(fileOf(frame, factsOf(&FrameData::radiance).files), m_windows);
+  data.camera = cropped(cameraOf(frame), m_windows);
   for (const auto image : kImages) {
     const ImageFiles& files = factsOf(image).files;
-    data.*image = readLettersOfSize(fileOf(frame, files), files.channels, m_width, m_height);
+    data.*image = readLettersWithin(fileOf(frame, files), files.channels, m_windows, data.warnings);
   }
   data.demodulated = true;
   return data;
@@ -136,8 +136,9 @@ bool BmfrSequence::hasReference(int frame, ReferenceKind kind) const {
 
 Reference BmfrSequence::reference(int frame, ReferenceKind kind) const {
   requireReference(*this, frame, kind);
+  std::vector<FrameWarning> unheard;  // a reference is looked at for figures, not for its frame
   return {
-      readLettersOfSize(m_files.withPrefix(kReferenceStem).path(frame), "RGB", m_width, m_height), {}, kind};
+      readLettersWithin(m_files.withPrefix(kReferenceStem).path(frame), "RGB", m_windows, unheard), {}, kind};
 }
 
 }  // namespace quell::io

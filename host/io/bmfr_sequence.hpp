@@ -35,8 +35,8 @@ class BmfrSequence final : public FrameSequence {
                         FrameFiles colors = {});
 
   std::string name() const override { return m_directory; }
-  int width() const override { return m_width; }
-  int height() const override { return m_height; }
+  int width() const override { return m_windows.data.width; }
+  int height() const override { return m_windows.data.height; }
   std::vector<int> frames() const override { return m_frames; }
 
   /// Throws Error(InvalidArgument) for a frame that is not there or an image whose size differs from the
@@ -60,8 +60,7 @@ class BmfrSequence final : public FrameSequence {
   std::vector<Matrix4> m_worldToClip;             // by frame number
   std::vector<std::array<double, 2>> m_jitterPx;  // by frame number, as quell::Camera has it
   std::optional<HistoryLimits> m_limits;
-  int m_width = 0;
-  int m_height = 0;
+  PictureWindows m_windows;
 };
 
 }  // namespace quell::io

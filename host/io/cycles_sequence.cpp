@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host/io/exr_image.hpp"
+#include "host/io/light_remainder.hpp"
 #include "host/io/sequence_files.hpp"
 
 namespace quell::io {
@@ -27,17 +28,17 @@ CyclesSequence::CyclesSequence(std::string directory, int signals, MissingFrames
 
   const ExrHeader first = readExrHeader(required.front().path(m_frames.front()));
   m_hasAlpha = std::count(first.channels.begin(), first.channels.end(), "A") > 0;
-  m_width = first.width;
-  m_height = first.height;
-  m_cameras = DeclaredCameras(joinPath(m_directory, kCyclesCameraFile), first.windows, m_frames);
+  m_windows = first.windows;
+  m_cameras = DeclaredCameras(joinPath(m_directory, kCyclesCameraFile), m_windows, m_frames);
 }
 
 const FrameFiles& CyclesSequence::filesOf(const std::string& stem) const {
   return m_files.withPrefix(stem + "_");
 }
 
-Image CyclesSequence::readImage(const std::string& stem, const char* channels, int frame) const {
-  return readLettersOfSize(filesOf(stem).path(frame), channels, m_width, m_height);
+Image CyclesSequence::readImage(const std::string& stem, const char* channels, int frame,
+                                std::vector<FrameWarning>& warnings) const {
+  return readLettersWithin(filesOf(stem).path(frame), channels, m_windows, warnings);
 }
 
 FrameData CyclesSequence::read(int frame) const {
@@ -45,16 +46,25 @@ FrameData CyclesSequence::read(int frame) const {
   FrameData data;
   data.number = frame;
   markGap(data, m_frames, filesOf(kColor.stem).path(frame - 1));
+  data.origin = originOf(filesOf(kColor.stem).path(frame), m_windows);
   data.demodulated = m_demodulated;
   for (const ImageSource& source : m_sources)
-    data.*source.image = readImage(source.files.stem, source.files.channels, frame);
+    data.*source.image = readImage(source.files.stem, source.files.channels, frame, data.warnings);
   m_cameras.setCamera(data, [&] { return data.positionWorld; });
-  if (m_hasAlpha) data.alpha = readImage(kColor.stem, "A", frame);
+  if (m_hasAlpha) data.alpha = readImage(kColor.stem, "A", frame, data.warnings);
+  if (m_demodulated) keepRemainder(data, Image());
   return data;
 }
 
 std::string CyclesSequence::fileOf(int frame, const ImageFiles& files) const {
   return filesOf(files.stem).path(frame);
+}
+
+std::vector<std::string> CyclesSequence::describeChannels() const {
+  ChannelMap map;
+  map.renderer = "quell";
+  for (const ImageSource& source : m_sources) map.images[source.files.role] = {{{source.files.stem}}, {}};
+  return describe(map);
 }
 
 bool CyclesSequence::jittered() const { return m_cameras.jittered(m_frames); }
@@ -66,8 +76,9 @@ bool CyclesSequence::hasReference(int frame, ReferenceKind kind) const {
 Reference CyclesSequence::reference(int frame, ReferenceKind kind) const {
   requireReference(*this, frame, kind);
   const auto stem = [kind](char half) { return referenceStem(kind, half, kColor.stem); };
-  Reference reference{readImage(stem('a'), kColor.channels, frame), {}, kind};
-  if (filesOf(stem('b')).has(frame)) reference.b = readImage(stem('b'), kColor.channels, frame);
+  std::vector<FrameWarning> unheard;  // a reference is looked at for figures, not for its frame
+  Reference reference{readImage(stem('a'), kColor.channels, frame, unheard), {}, kind};
+  if (filesOf(stem('b')).has(frame)) reference.b = readImage(stem('b'), kColor.channels, frame, unheard);
   return reference;
 }
 

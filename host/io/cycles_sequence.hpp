@@ -29,8 +29,8 @@ class CyclesSequence final : public FrameSequence {
                           MissingFrames missing = MissingFrames::Refuse, FrameFiles colors = {});
 
   std::string name() const override { return m_directory; }
-  int width() const override { return m_width; }
-  int height() const override { return m_height; }
+  int width() const override { return m_windows.data.width; }
+  int height() const override { return m_windows.data.height; }
   std::vector<int> frames() const override { return m_frames; }
 
   /// Throws Error(InvalidArgument) for a frame that is not there or an image whose size differs from the
@@ -40,17 +40,18 @@ class CyclesSequence final : public FrameSequence {
   bool hasReference(int frame, ReferenceKind kind) const override;
   Reference reference(int frame, ReferenceKind kind) const override;
   bool jittered() const override;
+  std::vector<std::string> describeChannels() const override;
 
  private:
   const FrameFiles& filesOf(const std::string& stem) const;
-  Image readImage(const std::string& stem, const char* channels, int frame) const;
+  Image readImage(const std::string& stem, const char* channels, int frame,
+                  std::vector<FrameWarning>& warnings) const;
 
   std::string m_directory;
   FrameDirectory m_files;
   std::vector<int> m_frames;
   DeclaredCameras m_cameras;
-  int m_width = 0;
-  int m_height = 0;
+  PictureWindows m_windows;
   bool m_demodulated = false;
   bool m_hasAlpha = false;             ///< channel A beside the colour
   std::vector<ImageSource> m_sources;  ///< of the images that the directory has

@@ -95,6 +95,7 @@ std::string nameInFile(const ExrHeader& header, const ExrPart& part, const std::
   if (header.parts.size() == 1) return channel;
   const std::size_t dot = channel.rfind('.');
   std::string pass = dot == std::string::npos ? withoutView(part.name, part.view) : channel.substr(0, dot);
+  if (pass == channel) pass.clear();  // a part of one channel
   if (!part.view.empty() && pass != part.view) pass += (pass.empty() ? "" : ".") + part.view;
   return (pass.empty() ? "" : pass + ".") + channel.substr(dot + 1);  // of the whole name without a dot
 }

@@ -22,6 +22,13 @@ struct ExrPart {
 /// Attributes of a file, to be carried over to files made from it: owner, time code, chromaticities, comments, ...
 using ExrAttributes = std::shared_ptr<const Imf::Header>;
 
+/// What a written file takes over from the one that its picture was made from.
+struct ExrOrigin {
+  PictureWindows
+      windows;  ///< those of the picture at (0, 0) where `windows.data` has another size than the image
+  ExrAttributes attributes;  ///< nothing: none
+};
+
 struct ExrHeader {
   int width = 0;   ///< of the data window of the first part, pixels, >= 1
   int height = 0;  ///< of the data window of the first part, pixels, >= 1
@@ -33,7 +40,7 @@ struct ExrHeader {
 };
 
 /// The name of a channel among those of all parts: as stored if it has a dot or the file one part, otherwise
-/// PART.CHANNEL. Where a part is of one view, that stands before the last dot, as in files of one part: PASS.left.R.
+/// PART.CHANNEL, or CHANNEL where both are called the same. Where a part is of one view, that stands before the last dot, as in files of one part: PASS.left.R.
 std::string nameInFile(const ExrHeader& header, const ExrPart& part, const std::string& channel);
 
 /// Reads the header alone. Throws Error(FileError): missing, not OpenEXR, damaged, deep, larger than 2^28 pixels, or too

@@ -48,13 +48,6 @@ void writeExr(const std::string& path, const Image& image, ExrType type = ExrTyp
 void writeExr(const std::string& path, const Image& image, const std::vector<std::string>& channels,
               ExrType type);
 
-/// What a written file takes over from the one that its picture was made from.
-struct ExrOrigin {
-  PictureWindows
-      windows;  ///< those of the picture at (0, 0) where `windows.data` has another size than the image
-  ExrAttributes attributes;  ///< nothing: none
-};
-
 /// The same, with the windows and the attributes of another file. What speaks of its channels, parts, samples or preview
 /// stays behind.
 void writeExr(const std::string& path, const Image& image, const std::vector<std::string>& channels,

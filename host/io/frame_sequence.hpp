@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/core/image_schema.hpp"
+#include "host/io/channel_map.hpp"
 #include "host/io/frame_files.hpp"
 #include "host/io/image.hpp"
 #include "host/io/reference.hpp"
@@ -17,7 +18,7 @@ namespace quell::io {
 /// What a user should know about a frame that can be denoised all the same.
 struct FrameWarning {
   /// Of each kind a sequence's first is worth telling.
-  enum class Kind { Camera, MissingNormals, PackedNormals, FrozenNoise, MissingFrames };
+  enum class Kind { Camera, MissingNormals, PackedNormals, FrozenNoise, MissingFrames, Windows };
   Kind kind;
   std::string file;
   std::string expected;
@@ -33,8 +34,9 @@ struct FrameData {
 #define QUELL_IMAGE(name, ...) Image name;
   QUELL_FRAME_IMAGES(QUELL_IMAGE)
 #undef QUELL_IMAGE
-  Image combined;  ///< 3 channels, linear radiance as a whole; only where two signals were asked for
-  Image alpha;     ///< 1 channel, of the file of the light as a whole; empty where it has none
+  Image combined;    ///< 3 channels, linear radiance as a whole; only where two signals were asked for
+  Image alpha;       ///< 1 channel, of the file of the light as a whole; empty where it has none
+  ExrOrigin origin;  ///< windows and attributes of that file, for what is made from the frame
   std::vector<FrameWarning> warnings;
   bool afterGap = false;      ///< the frame before is missing: what is older is no history
   bool repeatsNoise = false;  ///< noise and view are those of the frame before: history is no further sample
@@ -75,16 +77,29 @@ class FrameSequence {
   /// Whether the primary rays of some frame leave the centres of their pixels, as far as the files say.
   virtual bool jittered() const { return false; }
 
+  /// Which channels the images come from, and which images are missing and cost quality, to be told once; each a line.
+  virtual std::vector<std::string> describeChannels() const { return {}; }
+
   /// The limits that ship with the data; nothing where it has none (the denoiser then derives its own).
   virtual std::optional<HistoryLimits> historyLimits() const { return std::nullopt; }
 };
 
+/// What to open, and how.
+struct SequenceOptions {
+  SequenceOptions(int numberOfSignals = 1, MissingFrames missingFrames = MissingFrames::Refuse)
+      : signals(numberOfSignals), missing(missingFrames) {}
+
+  int signals;  ///< 1, or 2 for diffuse and glossy light apart
+  MissingFrames missing;
+  ChannelOptions
+      channels;  ///< anything but the default: files are read by their channels, whatever the layout
+};
+
 /// Opens a directory in a supported layout, one multilayer file, or a pattern of files (frame_files.hpp): numbered
 /// multilayer files, or those of the colour in the layout of separate files. Which one it is is found by looking (see
-/// cycles_sequence.hpp, bmfr_sequence.hpp and multilayer_sequence.hpp). `signals`: 1, or 2 for diffuse and glossy light
-/// apart. Throws Error(FileError) saying what was looked for, which layout has no two signals, or which two sequences lie
-/// in one directory.
-std::unique_ptr<FrameSequence> openSequence(const std::string& path, int signals = 1,
-                                            MissingFrames missing = MissingFrames::Refuse);
+/// cycles_sequence.hpp, bmfr_sequence.hpp and multilayer_sequence.hpp); where `options.channels` says anything, files are
+/// read by their channels. Throws Error(FileError) saying what was looked for, which layout has no two signals, or which
+/// two sequences lie in one directory.
+std::unique_ptr<FrameSequence> openSequence(const std::string& path, const SequenceOptions& options = {});
 
 }  // namespace quell::io

@@ -22,7 +22,7 @@ std::vector<ImageSource> imageSources(int signals) {
     combined.image = &FrameData::combined;
     sources.push_back(combined);
     sources.front().files.stem = "diffuse_irradiance";
-    sources.front().files.passes = "DiffDir+DiffInd";
+    sources.front().files.role = "diffuse";
   } else {
     std::rotate(sources.begin(), sources.begin() + 1, sources.end());
   }

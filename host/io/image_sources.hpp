@@ -9,7 +9,7 @@
 
 namespace quell::io {
 
-/// One image of FrameData, its files and passes.
+/// One image of FrameData, its files and its role.
 struct ImageSource {
   Image FrameData::*image;
   ImageFiles files;

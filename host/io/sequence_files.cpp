@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <quell/camera.hpp>
 
@@ -16,6 +17,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kStage[] = "open sequence";
+
+[[noreturn]] void refuseWindows(const std::string& path, const PictureWindows& got,
+                                const PictureWindows& expected) {
+  const auto text = [](const PictureWindows& windows) {
+    if (windows.data == windows.display) return toString(windows.data);
+    return fmt::format("{} in a picture of {}", toString(windows.data), toString(windows.display));
+  };
+  throw Error(ErrorCode::InvalidArgument, {"read image", path, text(expected), text(got)});
+}
 
 }  // namespace
 
@@ -79,22 +89,42 @@ std::array<double, 2> requireJitter(const std::string& path, const char* name, i
   return jitterPx;
 }
 
-Image readChannelsOfSize(const std::string& path, const std::vector<std::string>& channels, int width,
-                         int height) {
-  Image image = readExr(path, channels);
-  requireSize(image, width, height, path);
-  return image;
+Image readWithin(const std::string& path, const std::vector<std::string>& channels,
+                 const PictureWindows& picture, std::vector<FrameWarning>& warnings) {
+  PlacedImage read = readPlacedExr(path, channels);
+  const PixelWindow &data = read.windows.data, &wanted = picture.data;
+  if (data == wanted) return std::move(read.image);
+  const PixelWindow common = intersection(data, wanted);
+  if (read.windows.display != picture.display || common.width == 0)
+    refuseWindows(path, read.windows, picture);
+  const std::int64_t outside =
+      std::int64_t(wanted.width) * wanted.height - std::int64_t(common.width) * common.height;
+  if (outside > 0)
+    warnings.push_back({FrameWarning::Kind::Windows, path, "a data window of " + toString(wanted),
+                        toString(data),
+                        fmt::format("goes on with zeros, which are background, in {} pixels; files without "
+                                    "cropping (autocrop, regions) would have them",
+                                    outside)});
+  return placed(read.image, data, wanted);
 }
 
-Image readLettersOfSize(const std::string& path, const std::string& letters, int width, int height) {
-  if (letters != "RGB") {
-    std::vector<std::string> channels;
+Image readLettersWithin(const std::string& path, const std::string& letters, const PictureWindows& picture,
+                        std::vector<FrameWarning>& warnings) {
+  std::vector<std::string> channels;
+  if (letters != "RGB")
     for (const char letter : letters) channels.emplace_back(1, letter);
-    return readChannelsOfSize(path, channels, width, height);
-  }
-  Image image = readExrRgb(path);
-  requireSize(image, width, height, path);
-  return image;
+  return readWithin(path, channels, picture, warnings);
+}
+
+void requireWindows(const std::string& path, const PictureWindows& windows, const PictureWindows& expected) {
+  if (windows.data != expected.data || windows.display != expected.display)
+    refuseWindows(path, windows, expected);
+}
+
+ExrOrigin originOf(const std::string& path, const PictureWindows& expected) {
+  const ExrHeader header = readExrHeader(path);
+  requireWindows(path, header.windows, expected);
+  return {header.windows, header.attributes};
 }
 
 }  // namespace quell::io

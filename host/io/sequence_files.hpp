@@ -37,11 +37,17 @@ void requireFrame(const std::string& directory, const std::vector<int>& frames, 
 std::array<double, 2> requireJitter(const std::string& path, const char* name, int frame,
                                     std::array<double, 2> jitterPx);
 
-/// Reads channels of these names from an OpenEXR file that must have the given size.
-/// Throws Error(FileError), or Error(InvalidArgument) naming the file, the size expected and the size found.
-Image readChannelsOfSize(const std::string& path, const std::vector<std::string>& channels, int width,
-                         int height);
+/// Reads channels of these names from an OpenEXR file of the picture whose windows are given; pixels that lie elsewhere
+/// than its data window are placed by window. What the file does not cover is 0, with a warning.
+/// Throws Error(FileError), or Error(InvalidArgument) naming the file: another display window, or no pixel in common.
+Image readWithin(const std::string& path, const std::vector<std::string>& channels,
+                 const PictureWindows& picture, std::vector<FrameWarning>& warnings);
 /// The same for channels of one letter each, as in ImageFiles; "RGB" takes X Y Z as well.
-Image readLettersOfSize(const std::string& path, const std::string& letters, int width, int height);
+Image readLettersWithin(const std::string& path, const std::string& letters, const PictureWindows& picture,
+                        std::vector<FrameWarning>& warnings);
+/// Throws Error(InvalidArgument) naming the file unless its picture has these windows.
+void requireWindows(const std::string& path, const PictureWindows& windows, const PictureWindows& expected);
+/// Of the file of the colour, whose windows must be these. Throws as requireWindows(), and Error(FileError).
+ExrOrigin originOf(const std::string& path, const PictureWindows& expected);
 
 }  // namespace quell::io

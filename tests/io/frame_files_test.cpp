@@ -93,7 +93,7 @@ TEST_CASE("a gap is refused with what is missing, or marked as a cut", "[frame f
   REQUIRE_THROWS_MATCHES(openSequence(directory.path()), Error,
                          failsWith(ErrorCode::FileError, {"a_0001.exr", "frames -1 to 6 without gaps",
                                                           "no frames 1, 3 to 5", "--missing skip"}));
-  const auto sequence = openSequence(directory.file("a_####.exr"), 1, MissingFrames::Skip);
+  const auto sequence = openSequence(directory.file("a_####.exr"), {1, MissingFrames::Skip});
   CHECK(sequence->frames() == std::vector<int>{-1, 0, 2, 6});
   CHECK_FALSE(sequence->read(-1).afterGap);
   CHECK_FALSE(sequence->read(0).afterGap);

@@ -38,6 +38,7 @@ struct DenoiseOptions {
   std::string motion = "auto";
   std::string json;
   std::vector<std::string> dump;
+  io::ChannelOptions channels;
   DeviceArguments device;
   int analyticFrames = 16;
   int signals = 1;
@@ -51,10 +52,15 @@ struct DenoiseOptions {
   bool copyBandwidth = false;
 };
 
+io::SequenceOptions sequenceOptions(const DenoiseOptions& options) {
+  io::SequenceOptions sequence(
+      options.signals, options.missing == "skip" ? io::MissingFrames::Skip : io::MissingFrames::Refuse);
+  sequence.channels = options.channels;
+  return sequence;
+}
+
 std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
-  if (!options.input.empty())
-    return openWatched(options.input, options.signals,
-                       options.missing == "skip" ? io::MissingFrames::Skip : io::MissingFrames::Refuse);
+  if (!options.input.empty()) return openWatched(options.input, sequenceOptions(options));
   if (options.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
   const Size size = parseSize(kCommand, options.size);
   io::AnalyticOptions analytic;
@@ -126,7 +132,7 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
     hash.add(denoised.linear);
     hash.add(denoised.display);
     flicker.add(trackFrame(frame, denoised));
-    if (files != nullptr) files->write(number, denoised, frame.alpha);
+    if (files != nullptr) files->write(frame, denoised);
     if (further != nullptr) further->write(frame, denoised);
     for (const std::string& name : options.dump)
       files->writeBuffer(number, session.denoiser().readBuffer(name));
@@ -145,6 +151,7 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
 void runDenoise(const DenoiseOptions& options) {
   const std::unique_ptr<io::FrameSequence> sequence = openInput(options);
   const std::vector<int> frames = chooseFrames(options, *sequence);
+  for (const std::string& line : sequence->describeChannels()) fmt::print("{}\n", line);
   const Settings settings =
       applyMethodArguments(kCommand, options.method, defaultSettings(options.method.method, *sequence));
   const bool list = options.dump == std::vector<std::string>{kList};
@@ -221,6 +228,7 @@ void addDenoiseCommand(CLI::App& app) {
   command->add_option("--output", options->output,
                       "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
   addSignalsOption(*command, options->signals);
+  addChannelOptions(*command, options->channels);
   addMotionOption(*command, options->motion);
   command->add_option("--timers", options->timers, "Where stage times come from")
       ->check(CLI::IsMember({"device", "host", "off"}))
