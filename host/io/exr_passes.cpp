@@ -103,6 +103,17 @@ void addPass(Part& part, const NamedPass& pass, bool namesPart) {
   }
 }
 
+/// The header of the first part of the pass's size, if there is one.
+Imf::Header likePass(const std::vector<Part>& parts, const NamedPass& pass) {
+  const auto fitsPass = [&](const Part& part) {
+    const Imath::Box2i window = part.header.dataWindow();
+    return window.max.x - window.min.x + 1 == pass.image.width &&
+           window.max.y - window.min.y + 1 == pass.image.height;
+  };
+  const auto found = std::find_if(parts.begin(), parts.end(), fitsPass);
+  return found == parts.end() ? parts.front().header : found->header;
+}
+
 void writeParts(const std::string& output, const std::vector<Part>& parts) {
   std::vector<Imf::Header> headers;
   for (const Part& part : parts) headers.push_back(part.header);
@@ -139,8 +150,9 @@ void writeWithPasses(const std::string& input, const std::string& output,
     const bool single = parts.size() == 1;
     for (const NamedPass& pass : passes) {
       if (!single) {
+        const Imf::Header like = likePass(parts, pass);
         parts.emplace_back();
-        parts.back().header = parts.front().header;
+        parts.back().header = like;
         parts.back().header.channels() = Imf::ChannelList();
         parts.back().header.setName(pass.name);
       }

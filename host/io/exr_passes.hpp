@@ -21,9 +21,10 @@ struct NamedPass {
 /// have "View Layer.Combined.R", "Denoised" where it stands alone.
 std::string passBeside(const std::vector<std::string>& channels, const std::string& name);
 
-/// Writes the OpenEXR file `input` anew as `output`, all parts, channels and attributes, and `passes` with the data window
-/// of its first part: as channels of a single part, or as a part each. ZIP compressed, tiles become lines; atomic. Throws
-/// Error(FileError): unreadable or deep input, a pass of another size, a name that is there already, or writing fails.
+/// Writes the OpenEXR file `input` anew as `output`, all parts, channels and attributes, and `passes` as channels of a
+/// single part, or as a part each with the data window of the first part of their size. ZIP compressed, tiles become lines;
+/// atomic. Throws Error(FileError): unreadable or deep input, a pass of another size, a name that is there already, or
+/// writing fails.
 void writeWithPasses(const std::string& input, const std::string& output,
                      const std::vector<NamedPass>& passes);
 
