@@ -193,14 +193,14 @@ void addFurtherOptions(CLI::App* command, FurtherOutputs& further) {
 }
 
 void addInputOptions(CLI::App* command, const std::shared_ptr<DenoiseOptions>& options) {
-  command->add_option(
-      "--input", options->input,
-      "Directory with a sequence (see data/README.md), or a multilayer OpenEXR file as Blender's Cycles "
-      "writes it, "
-      "or a directory of these, or their names as shot_####.exr, shot_%04d.exr or a quoted glob; without it "
-      "a "
-      "built-in sequence is made up. Multilayer files need the passes "
-      "Combined and Normal, and both of Position and Depth, or one of them and camera.json");
+  command->add_option("--input", options->input,
+                      "OpenEXR files as a renderer writes them: one file, a directory, or names as "
+                      "shot_####.exr, shot_%04d.exr "
+                      "or a quoted glob (docs/frames-from-my-renderer.md), or a sequence in the layout of "
+                      "data/README.md; without "
+                      "it a built-in sequence is made up. Files of renderers need colour, normal, and both "
+                      "of position and depth, "
+                      "or one of them and a camera");
   command->add_option("--frames", options->frames, "Frames A-B (A:B where one is negative); default: all");
   command
       ->add_option("--missing", options->missing,
