@@ -7,8 +7,8 @@
 //
 // The camera comes from camera.json beside the files (camera_file.hpp), whose frame numbers are those of the file names, or
 // from the headers of the files (exr_camera.hpp). Without, it follows from position and depth: each is a linear function
-// of the other, up to the pixel; distances along rays do as well (ray_depth.hpp). Motion of Cycles is turned to that of the contract; that of others is taken as it is.
-// Alpha of the colour is kept beside the frame.
+// of the other, up to the pixel; distances along rays do as well (ray_depth.hpp). Motion of Cycles is turned to that of the
+// contract; that of others is taken as it is. Alpha of the colour is kept beside the frame.
 #pragma once
 
 #include <map>
