@@ -141,7 +141,7 @@ void NoiseWatch::compare(const io::FrameData& frame) {
 
 NoiseWatch::Result NoiseWatch::add(const io::FrameData& frame) {
   if (frame.albedo.empty() && frame.glossColor.empty()) return {};
-  const bool follows = frame.number == m_lastNumber + 1;
+  const bool follows = m_lastNumber && frame.number == *m_lastNumber + 1;
   if (!follows) m_last.clear();
   m_lastNumber = frame.number;
   if (!m_result.frozen && m_pairs < kPairs) compare(frame);

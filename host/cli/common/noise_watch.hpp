@@ -1,6 +1,7 @@
 // Noise that stays the same from frame to frame, as renderers leave it that start every frame from the same seed.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "host/io/frame_sequence.hpp"
@@ -24,7 +25,7 @@ class NoiseWatch {
   void compare(const io::FrameData& frame);
 
   std::vector<double> m_last;  ///< residuals of the frame before; NaN where there is none
-  int m_lastNumber = -1;
+  std::optional<int> m_lastNumber;
   int m_pairs = 0;
   Result m_result;
 };

@@ -23,10 +23,15 @@ void drawBar(const std::string& label, double share, const std::string& figures)
 
 }  // namespace
 
-void warn(const io::FrameWarning& warning) {
-  fmt::print(stderr, "{}quell: warning: {}: expected {}, got {}; {}\n", isTerminal() ? kClearLine : "",
-             warning.file, warning.expected, warning.got, warning.remedy);
+void warn(const std::string& file, const std::string& expected, const std::string& got,
+          const std::string& remedy) {
+  fmt::print(stderr, "{}quell: warning: {}: expected {}, got {}; {}\n", isTerminal() ? kClearLine : "", file,
+             expected, got, remedy);
   std::fflush(stderr);
+}
+
+void warn(const io::FrameWarning& warning) {
+  warn(warning.file, warning.expected, warning.got, warning.remedy);
 }
 
 Progress::Progress(std::string label, std::size_t total)

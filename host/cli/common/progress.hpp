@@ -9,6 +9,8 @@
 namespace quell::cli {
 
 /// One line, over the bar that may be there: "quell: warning: FILE: expected A, got B; REMEDY".
+void warn(const std::string& file, const std::string& expected, const std::string& got,
+          const std::string& remedy);
 void warn(const io::FrameWarning& warning);
 
 /// A bar on a terminal, plain lines otherwise.

@@ -12,6 +12,7 @@ namespace quell::cli {
 /// normals that are not as the contract says (normal_check.hpp), noise that stays the same (noise_watch.hpp; such frames
 /// have `repeatsNoise` set). It counts as jittered also where nothing but the positions of its first frame show it
 /// (ray_jitter.hpp).
-std::unique_ptr<io::FrameSequence> openWatched(const std::string& path, int signals = 1);
+std::unique_ptr<io::FrameSequence> openWatched(const std::string& path,
+                                               const io::SequenceOptions& options = {});
 
 }  // namespace quell::cli
