@@ -16,7 +16,7 @@ namespace quell::io {
 /// What a user should know about a frame that can be denoised all the same.
 struct FrameWarning {
   /// Of each kind a sequence's first is worth telling.
-  enum class Kind { Camera, MissingNormals, PackedNormals, FrozenNoise };
+  enum class Kind { Camera };
   Kind kind;
   std::string file;
   std::string expected;

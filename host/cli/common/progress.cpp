@@ -23,9 +23,10 @@ void drawBar(const std::string& label, double share, const std::string& figures)
 
 }  // namespace
 
-void warn(const io::FrameWarning& warning) {
-  fmt::print(stderr, "{}quell: warning: {}: expected {}, got {}; {}\n", isTerminal() ? kClearLine : "",
-             warning.file, warning.expected, warning.got, warning.remedy);
+void warn(const std::string& file, const std::string& expected, const std::string& got,
+          const std::string& remedy) {
+  fmt::print(stderr, "{}quell: warning: {}: expected {}, got {}; {}\n", isTerminal() ? kClearLine : "", file,
+             expected, got, remedy);
   std::fflush(stderr);
 }
 
