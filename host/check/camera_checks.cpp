@@ -17,15 +17,19 @@ constexpr double kMuchBetter = 0.25, kNearPx = 1.0;
 constexpr double kSuspectPx = 0.75;
 /// A common offset counts from here on, pixels, if so little of the distance is left without it.
 constexpr double kLeastShiftPx = 0.3, kLeftOverShare = 0.5;
-/// Matrices of two frames agree up to this, pixels.
-constexpr double kSameCameraPx = 0.5;
+/// Matrices of two frames agree up to this, pixels; less proves more if the matrix is another one that is known.
+constexpr double kSameCameraPx = 0.5, kFrozenCameraPx = 0.1;
 /// Distance that is white in a picture, pixels.
 constexpr double kPicturePx = 5.0;
 
 constexpr char kExpected[] = "positions that the camera puts into their pixels";
 
-std::string px(double distance) {
-  return std::isfinite(distance) ? fixed(distance, 2) + " px" : "behind the camera";
+std::string px(double distance) { return fixed(distance, 2) + " px"; }
+
+/// How far positions are off as the camera is given.
+std::string offText(double medianPx) {
+  return std::isfinite(medianPx) ? "positions " + px(medianPx) + " off (median)"
+                                 : "most positions behind the camera";
 }
 
 std::size_t countAbove(const std::vector<double>& values, double limit) {
@@ -80,7 +84,7 @@ bool findScale(const Context& context, double given, const std::vector<double>& 
   const std::string times = fixed(factor, isSum ? 0 : 3);
   result.add(
       {isSum ? "position-sum" : "position-unit", Severity::Wrong, "positionWorld", kExpected,
-       px(given) + " (median); " + px(scaled) + " as positions divided by " + times,
+       offText(given) + "; " + px(scaled) + " divided by " + times,
        isSum ? "divide by the number of samples, " + times + ": they are summed up; or by the ratio of units"
              : "give positions and matrices in one unit",
        countAbove(distances, kNearPx) * context.pixelsEach()},
@@ -94,8 +98,8 @@ void explainDistance(const Context& context, double given, const std::vector<dou
   if (best && best->medianPx < kMuchBetter * given && best->medianPx < kNearPx) {
     result.geometryFits = false;
     result.add({best->candidate.kind, Severity::Wrong, best->candidate.image, kExpected,
-                px(given) + " (median); " + px(best->medianPx) + " " + best->candidate.is,
-                best->candidate.cure, countAbove(distances, kNearPx) * context.pixelsEach()},
+                offText(given) + "; " + px(best->medianPx) + " " + best->candidate.is, best->candidate.cure,
+                countAbove(distances, kNearPx) * context.pixelsEach()},
                mapOf(context, distances));
     return;
   }
@@ -205,9 +209,9 @@ void previousCamera(const Context& context, Result& result) {
   if (context.before == nullptr || !result.geometryFits || context.surfaces().size() < kLeastSurfaces) return;
   const Camera& camera = context.now.camera;
   const double apart = apartPx(context, camera.worldToClipPrev, context.before->camera.worldToClip);
-  if (!(apart > kSameCameraPx)) return;
-  result.previousCameraFits = false;
   const bool frozen = apartPx(context, camera.worldToClipPrev, camera.worldToClip) < 0.1 * apart;
+  if (!(apart > (frozen ? kFrozenCameraPx : kSameCameraPx))) return;
+  result.previousCameraFits = false;
   result.add(
       {frozen ? "previous-camera-frozen" : "previous-camera", Severity::Wrong, "camera",
        "in worldToClipPrev the worldToClip of the frame before",

@@ -144,7 +144,7 @@ class Denoiser {
   /// Says what is odd about a frame that denoise() would take, and what would cure it: transposed matrices, packed normals,
   /// depth of another kind, motion vectors of another sign, light that was summed up, and more (docs/check.md). For
   /// debugging: reads all images of the frame to the host and blocks, once the events of the wait list have completed; it
-  /// launches nothing and needs no prepare(). Takes about 100 ms for a frame of 480x270. The frame checked last is kept in
+  /// launches nothing and needs no prepare(). Takes longer than the frame itself. The frame checked last is kept in
   /// host memory and compared with, so check frames in a row; resetHistory() forgets it. Throws Error(InvalidArgument) or
   /// Error(WrongContext) for unusable layouts, buffers or events, Error(DeviceError), Error(OutOfMemory).
   FrameCheck checkFrame(const Frame& frame, const std::vector<cl_event>& waitList = {});

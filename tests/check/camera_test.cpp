@@ -135,6 +135,18 @@ TEST_CASE("the matrix of the frame before must be the one that it had", "[check]
   CHECK(kindsOf(checked(before, now), Severity::Doubtful) == "");
 }
 
+TEST_CASE("a matrix of the frame before that is this frame's is told though the camera hardly moves",
+          "[check]") {
+  io::FrameData before = planeFrame(3), now = planeFrame(3);
+  before.number = 2;
+  Matrix4& m = before.camera.worldToClip;
+  for (std::size_t i = 0; i < 4; ++i) m[i] += 0.2 * 2.0 / kPlaneWidth * m[12 + i];  // 0.2 pixels to the right
+  now.camera.worldToClipPrev = m;
+  CHECK(kindsOf(checked(before, now), Severity::Doubtful) == "");
+  now.camera.worldToClipPrev = now.camera.worldToClip;
+  CHECK(kindsOf(checked(before, now), Severity::Doubtful) == "previous-camera-frozen noise-frozen ");
+}
+
 TEST_CASE("a frame whose camera only stands in is not asked where it looks", "[check]") {
   io::FrameData frame = planeFrame(3);
   frame.camera.worldToClip = planeFrame(40).camera.worldToClip;
