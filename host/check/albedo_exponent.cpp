@@ -9,6 +9,8 @@ namespace {
 constexpr int kTile = 8;
 /// Least cosine between normals of one surface, least albedo, and least pixels of a tile.
 constexpr double kSameNormal = 0.95, kLeastAlbedo = 0.02;
+/// Glossy light goes with its own colour: pixels that have more than this share of albedo as gloss colour are left out.
+constexpr double kMostGloss = 0.1;
 constexpr std::size_t kLeastPixels = 24;
 constexpr double kLeastExponent = -1.0, kMostExponent = 4.0;
 constexpr int kBisections = 40;
@@ -49,9 +51,9 @@ Tile tileAt(const Frame& frame, int left, int top) {
       const glm::dvec3 normal = vectorAt(frame.normalWorld, x, y);
       const double albedo = luminanceAt(frame.albedo, x, y);
       const double here = luminanceAt(frame.radiance, x, y) - luminanceAt(frame.emission, x, y);
-      if (!isFinite(normal) || isZero(normal) || !(albedo >= kLeastAlbedo) || !(here >= 0.0) ||
-          !std::isfinite(here))
-        continue;
+      if (!isFinite(normal) || isZero(normal) || !(albedo >= kLeastAlbedo)) continue;
+      if (!(here >= 0.0) || !std::isfinite(here)) continue;
+      if (!(luminanceAt(frame.glossColor, x, y) <= kMostGloss * albedo)) continue;
       if (!first) first = glm::normalize(normal);
       if (glm::dot(glm::normalize(normal), *first) < kSameNormal) continue;
       tile.push_back({here, std::log(albedo)});

@@ -19,6 +19,8 @@ constexpr double kSuspectPx = 0.75;
 constexpr double kLeastShiftPx = 0.3, kLeftOverShare = 0.5;
 /// Matrices of two frames agree up to this, pixels; less proves more if the matrix is another one that is known.
 constexpr double kSameCameraPx = 0.5, kFrozenCameraPx = 0.1;
+/// A whole factor up to this is more likely a number of samples than the ratio of two units (10, 100, 1000).
+constexpr double kMostSamples = 9.5;
 /// Distance that is white in a picture, pixels.
 constexpr double kPicturePx = 5.0;
 
@@ -80,13 +82,14 @@ bool findScale(const Context& context, double given, const std::vector<double>& 
   const Matrix4 matrix = scaledColumns(context.now.camera.worldToClip, {unit, unit, unit, 1.0});
   const double scaled = median(lengthsOf(offsetsPx(context, matrix)));
   if (!(scaled < kMuchBetter * given && scaled < kNearPx)) return false;
-  const bool isSum = factor > 1.5 && std::abs(factor - std::round(factor)) < 0.02 * factor;
+  const bool isSum =
+      factor > 1.5 && factor < kMostSamples && std::abs(factor - std::round(factor)) < 0.02 * factor;
   const std::string times = fixed(factor, isSum ? 0 : 3);
   result.add(
       {isSum ? "position-sum" : "position-unit", Severity::Wrong, "positionWorld", kExpected,
        offText(given) + "; " + px(scaled) + " divided by " + times,
        isSum ? "divide by the number of samples, " + times + ": they are summed up; or by the ratio of units"
-             : "give positions and matrices in one unit",
+             : "give positions and matrices in one unit, and divide sums by the number of samples",
        countAbove(distances, kNearPx) * context.pixelsEach()},
       mapOf(context, distances));
   return true;

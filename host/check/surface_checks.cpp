@@ -1,7 +1,9 @@
 // How much of a frame shows surfaces, and what is missing in it.
 #include <cmath>
+#include <string_view>
 
 #include "host/check/checks.hpp"
+#include "host/core/image_schema.hpp"
 
 namespace quell::check {
 namespace {
@@ -60,17 +62,26 @@ void missingSamples(const Context& context, Result& result) {
                 0});
 }
 
+/// Whether a feature has no value where there is a surface. Depth of the sky is often infinite, and positions there.
+bool isBrokenFeature(const Frame& frame, const char* name, const Image& image, int x, int y) {
+  if (isZero(vectorAt(frame.normalWorld, x, y))) return false;
+  return name == std::string_view("viewDepth") ? std::isnan(image.at(x, y, 0)) : isBroken(image, x, y);
+}
+
 void brokenFeatures(const Context& context, Result& result) {
   const Frame& frame = context.now;
-  countMissing(
-      context, result,
-      [&](int x, int y) {
-        const bool position = frame.positionWorld.present() ? isBroken(frame.positionWorld, x, y)
-                                                            : std::isnan(frame.viewDepth.at(x, y, 0));
-        return position || isBroken(frame.normalWorld, x, y);
-      },
-      {"broken-features", Severity::Note, "normalWorld", "finite normals and positions", "NaN or infinite",
-       "they pass through unfiltered; write 0 for background and the values of the first hit elsewhere", 0});
+  for (const auto& facts : kInputs<Frame>) {
+    const Image& image = frame.*facts.member;
+    const bool isLight = facts.member == &Frame::radiance || facts.member == &Frame::glossyRadiance ||
+                         facts.member == &Frame::emission;
+    const bool mayBreak =
+        facts.identifiers() || facts.member == &Frame::motion || facts.member == &Frame::hitDistance;
+    if (!image.present() || isLight || mayBreak) continue;
+    countMissing(
+        context, result, [&](int x, int y) { return isBrokenFeature(frame, facts.name, image, x, y); },
+        {"broken-features", Severity::Note, facts.name, "finite values on surfaces", "NaN or infinite",
+         std::string(facts.texts.broken) + "; write the values of the first hit", 0});
+  }
 }
 
 }  // namespace

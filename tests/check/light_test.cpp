@@ -107,8 +107,9 @@ TEST_CASE("missing samples are counted, many of them doubtful", "[check]") {
   io::FrameData frame = planeFrame(0);
   frame.radiance.at(3, 4, 1) = std::numeric_limits<float>::quiet_NaN();
   frame.positionWorld.at(5, 6, 0) = std::numeric_limits<float>::infinity();
+  frame.albedo.at(7, 8, 2) = std::numeric_limits<float>::quiet_NaN();
   const check::Result few = checked(frame);
-  CHECK(tests::kindsOf(few) == "missing-samples broken-features ");
+  CHECK(tests::kindsOf(few) == "missing-samples broken-features broken-features ");
   CHECK(tests::kindsOf(few, Severity::Doubtful) == "");
   CHECK(few.findings[0].finding.pixels == 1);
   for (int x = 0; x < kPlaneWidth; ++x)
