@@ -16,7 +16,7 @@ constexpr double kFewShare = 0.02;
 constexpr double kMostAlbedo = 1.05, kByteAlbedo = 16.0;
 /// Light that goes with so high a power of albedo, this many standard errors above, was reflected by linear albedo while
 /// the image is encoded (2.2). Glossy light makes the power smaller.
-constexpr double kEncodedExponent = 1.5, kStandardErrors = 4.0, kSureError = 0.2;
+constexpr double kEncodedExponent = 1.4, kStandardErrors = 4.0;
 
 double mostOf(const Image& image, int x, int y) {
   const glm::dvec3 v = vectorAt(image, x, y);
@@ -75,7 +75,7 @@ void aboveOne(const Context& context, Result& result) {
 void encoded(const Context& context, Result& result) {
   if (context.now.demodulated || !result.radianceFits) return;
   const auto exponent = albedoExponent(context);
-  if (!exponent || exponent->standardError > kSureError) return;
+  if (!exponent) return;
   result.figures.push_back({"power of albedo that light goes with", exponent->value, ""});
   if (!(exponent->value - kStandardErrors * exponent->standardError > kEncodedExponent)) return;
   result.add({"albedo-srgb", Severity::Doubtful, "albedo",

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace quell::check {
 namespace {
@@ -9,8 +10,11 @@ namespace {
 constexpr int kTile = 8;
 /// Least cosine between normals of one surface, least albedo, and least pixels of a tile.
 constexpr double kSameNormal = 0.95, kLeastAlbedo = 0.02;
-/// Glossy light goes with its own colour: pixels that have more than this share of albedo as gloss colour are left out.
+/// Glossy light goes with its own colour: pixels that have more than this share of albedo as gloss colour are left out if
+/// the others suffice.
 constexpr double kMostGloss = 0.1;
+/// Largest standard error of an exponent that says something.
+constexpr double kSureError = 0.2;
 constexpr std::size_t kLeastPixels = 24;
 constexpr double kLeastExponent = -1.0, kMostExponent = 4.0;
 constexpr int kBisections = 40;
@@ -42,7 +46,7 @@ Score scoreOf(const Tile& tile, double exponent) {
   return score;
 }
 
-Tile tileAt(const Frame& frame, int left, int top) {
+Tile tileAt(const Frame& frame, double mostGloss, int left, int top) {
   Tile tile;
   std::optional<glm::dvec3> first;
   double light = 0.0, logAlbedo = 0.0;
@@ -53,7 +57,7 @@ Tile tileAt(const Frame& frame, int left, int top) {
       const double here = luminanceAt(frame.radiance, x, y) - luminanceAt(frame.emission, x, y);
       if (!isFinite(normal) || isZero(normal) || !(albedo >= kLeastAlbedo)) continue;
       if (!(here >= 0.0) || !std::isfinite(here)) continue;
-      if (!(luminanceAt(frame.glossColor, x, y) <= kMostGloss * albedo)) continue;
+      if (!(luminanceAt(frame.glossColor, x, y) <= mostGloss * albedo)) continue;
       if (!first) first = glm::normalize(normal);
       if (glm::dot(glm::normalize(normal), *first) < kSameNormal) continue;
       tile.push_back({here, std::log(albedo)});
@@ -69,13 +73,13 @@ Tile tileAt(const Frame& frame, int left, int top) {
   return tile;
 }
 
-}  // namespace
-
-std::optional<Exponent> albedoExponent(const Context& context) {
+/// Of the tiles' pixels with no more gloss colour than this share of albedo.
+std::optional<Exponent> exponentOf(const Context& context, double mostGloss) {
   std::vector<Tile> tiles;
   for (int top = 0; top + kTile <= context.size.height; top += kTile)
     for (int left = 0; left + kTile <= context.size.width; left += kTile)
-      if (Tile tile = tileAt(context.now, left, top); !tile.empty()) tiles.push_back(std::move(tile));
+      if (Tile tile = tileAt(context.now, mostGloss, left, top); !tile.empty())
+        tiles.push_back(std::move(tile));
   double low = kLeastExponent, high = kMostExponent;
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (low + high);
@@ -89,8 +93,15 @@ std::optional<Exponent> albedoExponent(const Context& context) {
     information += score.information;
     squares += score.value * score.value;
   }
-  if (!(information > 0.0)) return std::nullopt;
+  if (!(std::sqrt(squares) <= kSureError * information) || !(information > 0.0)) return std::nullopt;
   return Exponent{low, std::sqrt(squares) / information};
+}
+
+}  // namespace
+
+std::optional<Exponent> albedoExponent(const Context& context) {
+  const auto matt = exponentOf(context, kMostGloss);
+  return matt ? matt : exponentOf(context, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace quell::check

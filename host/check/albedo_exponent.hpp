@@ -13,7 +13,8 @@ struct Exponent {
 };
 
 /// Estimated within tiles, where light is much the same, by Poisson regression of light on the logarithm of albedo, which
-/// is unbiased for any noise whose mean is right. Glossy light makes it smaller. Nothing without texture.
+/// is unbiased for any noise whose mean is right. Glossy light makes it smaller. Nothing without
+/// texture enough.
 std::optional<Exponent> albedoExponent(const Context& context);
 
 }  // namespace quell::check
