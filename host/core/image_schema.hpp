@@ -19,8 +19,7 @@ struct ImageFiles {
   const char* stem;      ///< empty: no files of its own
   const char* channels;  ///< names, one letter each
   FileSamples samples;
-  const char* passes;  ///< joined by '+'; empty: none
-  const char* passChannels;
+  const char* role;  ///< what --channels calls it; empty: an output
 };
 
 struct ImageTexts {
@@ -52,8 +51,8 @@ struct ImageMember : ImageFacts {
   Image Owner::*member;
 };
 
-#define QUELL_IMAGE_FILES(stem, channels, samples, passes, passChannels) \
-  { stem, channels, FileSamples::samples, passes, passChannels }
+#define QUELL_IMAGE_FILES(stem, channels, samples, role) \
+  { stem, channels, FileSamples::samples, role }
 #define QUELL_IMAGE_TEXTS(absent, unit, range, broken) \
   { absent, unit, range, broken }
 #define QUELL_IMAGE_MEMBER(name, NAME, least, most, kind, presence, files, texts)          \

@@ -13,6 +13,10 @@ namespace {
 // dependent.
 constexpr double kSingular = 1e-12;
 
+// Row 3 by the longer of rows 0 and 1 is about the tangent of half the field of view. Below this, a fifth of a second of
+// arc, it is what rounding has left of an orthographic camera.
+constexpr double kParallel = 1e-6;
+
 // Rows of a row-major matrix as vectors, since GLM stores columns.
 glm::dvec3 rowLinear(const Matrix4& m, int row) { return {m[4 * row], m[4 * row + 1], m[4 * row + 2]}; }
 double rowConstant(const Matrix4& m, int row) { return m[4 * row + 3]; }
@@ -115,7 +119,11 @@ void checkJitter(const Camera& camera) {
 
 }  // namespace
 
-bool isOrthographic(const Matrix4& worldToClip) { return glm::length(rowLinear(worldToClip, 3)) == 0.0; }
+bool isOrthographic(const Matrix4& worldToClip) {
+  const double across =
+      std::max(glm::length(rowLinear(worldToClip, 0)), glm::length(rowLinear(worldToClip, 1)));
+  return glm::length(rowLinear(worldToClip, 3)) <= kParallel * across;
+}
 
 std::array<double, 3> cameraPositionWorld(const Matrix4& worldToClip, const char* name) {
   const glm::dvec3 p = position(worldToClip, name);

@@ -24,7 +24,7 @@ ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const
 /// view axis that is nearest the world origin. Throws as above.
 std::array<double, 3> cameraPositionWorld(const Matrix4& worldToClip, const char* name);
 
-/// True if clip.w does not depend on the position.
+/// True if clip.w does not depend on the position, up to rounding.
 bool isOrthographic(const Matrix4& worldToClip);
 
 }  // namespace quell

@@ -26,11 +26,7 @@ constexpr double kCentreOffsetPx = 0.5;
 constexpr Image FrameData::*kImages[] = {&FrameData::radiance, &FrameData::normalWorld,
                                          &FrameData::positionWorld, &FrameData::albedo};
 
-FrameFileName filesOf(const std::string& stem) {
-  return [stem](int frame) { return fmt::format("{}{}.exr", stem, frame); };
-}
-
-FrameFileName referenceFiles() { return filesOf("reference"); }
+constexpr char kReferenceStem[] = "reference";
 
 /// From m[column][row] with y down to row-major with y up.
 Matrix4 toQuellConvention(const double* published) {
@@ -70,16 +66,22 @@ std::optional<HistoryLimits> readLimits(const CHeaderValues& header, const std::
 
 }  // namespace
 
-BmfrSequence::BmfrSequence(std::string directory)
-    : m_directory(std::move(directory)),
-      m_frames(findFrames(m_directory, filesOf(factsOf(&FrameData::radiance).files.stem))) {
+BmfrSequence::BmfrSequence(std::string directory, MissingFrames missing, FrameFiles colors)
+    : m_directory(std::move(directory)), m_files(m_directory) {
+  std::vector<FrameFiles> required;
+  for (const auto image : kImages) required.push_back(filesOf(factsOf(image).files));
+  if (!colors.empty()) required.front() = std::move(colors);
+  m_frames = framesOf(required, missing);
+  if (m_frames.front() < 0)
+    throwFileError(kStage, required.front().path(m_frames.front()), "frames from 0, as the matrices have",
+                   std::to_string(m_frames.front()));
   readCameraHeader();
-  for (const auto image : kImages)
-    requireFrameFiles(m_directory, filesOf(factsOf(image).files.stem), m_frames);
-  const ExrHeader first = readExrHeader(
-      joinPath(m_directory, filesOf(factsOf(&FrameData::radiance).files.stem)(m_frames.front())));
-  m_width = first.width;
-  m_height = first.height;
+  const ExrHeader first = readExrHeader(required.front().path(m_frames.front()));
+  m_windows = first.windows;
+}
+
+const FrameFiles& BmfrSequence::filesOf(const ImageFiles& files) const {
+  return m_files.withPrefix(files.stem);
 }
 
 void BmfrSequence::readCameraHeader() {
@@ -112,29 +114,31 @@ FrameData BmfrSequence::read(int frame) const {
   requireFrame(m_directory, m_frames, frame);
   FrameData data;
   data.number = frame;
-  data.camera = cameraOf(frame);
+  markGap(data, m_frames, fileOf(frame - 1, factsOf(&FrameData::radiance).files));
+  data.origin = originOf(fileOf(frame, factsOf(&FrameData::radiance).files), m_windows);
+  data.camera = cropped(cameraOf(frame), m_windows);
   for (const auto image : kImages) {
     const ImageFiles& files = factsOf(image).files;
-    data.*image = readLettersOfSize(joinPath(m_directory, filesOf(files.stem)(frame)), files.channels,
-                                    m_width, m_height);
+    data.*image = readLettersWithin(fileOf(frame, files), files.channels, m_windows, data.warnings);
   }
   data.demodulated = true;
   return data;
 }
 
 std::string BmfrSequence::fileOf(int frame, const ImageFiles& files) const {
-  return joinPath(m_directory, filesOf(files.stem)(frame));
+  return filesOf(files).path(frame);
 }
 
 bool BmfrSequence::hasReference(int frame, ReferenceKind kind) const {
   const ReferenceKind published = jittered() ? ReferenceKind::Antialiased : ReferenceKind::Centre;
-  return kind == published && hasFile(m_directory, referenceFiles()(frame));
+  return kind == published && m_files.withPrefix(kReferenceStem).has(frame);
 }
 
 Reference BmfrSequence::reference(int frame, ReferenceKind kind) const {
   requireReference(*this, frame, kind);
+  std::vector<FrameWarning> unheard;  // a reference is looked at for figures, not for its frame
   return {
-      readLettersOfSize(joinPath(m_directory, referenceFiles()(frame)), "RGB", m_width, m_height), {}, kind};
+      readLettersWithin(m_files.withPrefix(kReferenceStem).path(frame), "RGB", m_windows, unheard), {}, kind};
 }
 
 }  // namespace quell::io

@@ -1,7 +1,7 @@
 // Sequences in the layout published with Koskela et al. 2019, "Blockwise Multi-Order Feature Regression for
 // Real-Time Path-Tracing Reconstruction" (BMFR).
 //
-// Per frame n (numbers unpadded, without gaps): color<n>.exr, shading_normal<n>.exr, world_position<n>.exr,
+// Per frame n (from 0, as frame_files.hpp says): color<n>.exr, shading_normal<n>.exr, world_position<n>.exr,
 // albedo<n>.exr, three channels each; optionally reference<n>.exr, of rays that went where those of the noisy frames did:
 // antialiased where they are jittered. The colour has albedo divided out already,
 // so FrameData::demodulated is true. camera_matrices.h is a C header with camera_matrices[N][4][4],
@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "host/io/frame_files.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::io {
@@ -28,12 +29,14 @@ constexpr char kBmfrCameraFile[] = "camera_matrices.h";
 class BmfrSequence final : public FrameSequence {
  public:
   /// Checks that all files are there; pixels are read later. The size is that of the first colour image.
-  /// Throws Error(FileError): a missing frame or buffer, a malformed header, or one with too few matrices.
-  explicit BmfrSequence(std::string directory);
+  /// Throws Error(FileError): a missing frame or buffer, a malformed header, one with too few matrices, or a
+  /// frame number below 0.
+  explicit BmfrSequence(std::string directory, MissingFrames missing = MissingFrames::Refuse,
+                        FrameFiles colors = {});
 
   std::string name() const override { return m_directory; }
-  int width() const override { return m_width; }
-  int height() const override { return m_height; }
+  int width() const override { return m_windows.data.width; }
+  int height() const override { return m_windows.data.height; }
   std::vector<int> frames() const override { return m_frames; }
 
   /// Throws Error(InvalidArgument) for a frame that is not there or an image whose size differs from the
@@ -49,13 +52,15 @@ class BmfrSequence final : public FrameSequence {
   void readCameraHeader();
   Camera cameraOf(int frame) const;
 
+  const FrameFiles& filesOf(const ImageFiles& files) const;
+
   std::string m_directory;
+  FrameDirectory m_files;
   std::vector<int> m_frames;
   std::vector<Matrix4> m_worldToClip;             // by frame number
   std::vector<std::array<double, 2>> m_jitterPx;  // by frame number, as quell::Camera has it
   std::optional<HistoryLimits> m_limits;
-  int m_width = 0;
-  int m_height = 0;
+  PictureWindows m_windows;
 };
 
 }  // namespace quell::io

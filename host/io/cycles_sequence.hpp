@@ -1,42 +1,36 @@
 // Sequences as rendered with Blender Cycles: one OpenEXR file per buffer and frame, matrices in camera.json.
 //
-// For each frame NNNN (at least four digits, numbers without gaps): color_NNNN.exr, shading_normal_NNNN.exr and
+// For each frame NNNN (as frame_files.hpp says): color_NNNN.exr, shading_normal_NNNN.exr and
 // world_position_NNNN.exr; for all frames or none the other images of the contract, under the names and with the
 // channels that quell/frame_images.h says, and A beside the colour; for two signals diffuse_irradiance_NNNN.exr and glossy_radiance_NNNN.exr,
 // light before albedo and gloss colour;
 // for any frame: ref_a_color_NNNN.exr and ref_b_color_NNNN.exr, the halves of the reference through pixel centres, and
-// ref_aa_a_color_NNNN.exr and ref_aa_b_color_NNNN.exr, those of the antialiased one. Other files are ignored. camera.json: {"frames": [{"frame": 0, "view_projection": 4x4, "previous_view_projection": 4x4},
-// ...]}, in the convention of quell::Camera: row-major, column vectors, NDC y up, without jitter. A frame's entry may have
-// "jitter_px": [x, y], too, where the primary rays left the pixel centres; without it they went through them.
+// ref_aa_a_color_NNNN.exr and ref_aa_b_color_NNNN.exr, those of the antialiased one. Other files are ignored. camera.json: see camera_file.hpp.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "host/io/camera_file.hpp"
+#include "host/io/declared_cameras.hpp"
+#include "host/io/frame_files.hpp"
 #include "host/io/frame_sequence.hpp"
 #include "host/io/image_sources.hpp"
 
 namespace quell::io {
 
-/// The file of a directory that marks this layout.
-constexpr char kCyclesCameraFile[] = "camera.json";
-/// Of a frame in it: Camera::jitterPx.
-constexpr char kJitterKey[] = "jitter_px";
-
-/// The cameras of a camera.json by frame. Throws Error(FileError).
-std::map<int, Camera> readCameraFile(const std::string& path);
-
 class CyclesSequence final : public FrameSequence {
  public:
   /// Checks that all files are there; pixels are read later. The size is that of the first colour image.
-  /// Throws Error(FileError): a missing frame or buffer, a malformed camera.json, a frame missing in it.
-  explicit CyclesSequence(std::string directory, int signals = 1);
+  /// `colors`: of the files of the colour those that count; empty: all. Throws Error(FileError): a missing frame or buffer,
+  /// a malformed camera.json, a frame missing in it.
+  explicit CyclesSequence(std::string directory, int signals = 1,
+                          MissingFrames missing = MissingFrames::Refuse, FrameFiles colors = {});
 
   std::string name() const override { return m_directory; }
-  int width() const override { return m_width; }
-  int height() const override { return m_height; }
+  int width() const override { return m_windows.data.width; }
+  int height() const override { return m_windows.data.height; }
   std::vector<int> frames() const override { return m_frames; }
 
   /// Throws Error(InvalidArgument) for a frame that is not there or an image whose size differs from the
@@ -46,15 +40,18 @@ class CyclesSequence final : public FrameSequence {
   bool hasReference(int frame, ReferenceKind kind) const override;
   Reference reference(int frame, ReferenceKind kind) const override;
   bool jittered() const override;
+  std::vector<std::string> describeChannels() const override;
 
  private:
-  Image readImage(const std::string& stem, const char* channels, int frame) const;
+  const FrameFiles& filesOf(const std::string& stem) const;
+  Image readImage(const std::string& stem, const char* channels, int frame,
+                  std::vector<FrameWarning>& warnings) const;
 
   std::string m_directory;
+  FrameDirectory m_files;
   std::vector<int> m_frames;
-  std::map<int, Camera> m_cameras;
-  int m_width = 0;
-  int m_height = 0;
+  DeclaredCameras m_cameras;
+  PictureWindows m_windows;
   bool m_demodulated = false;
   bool m_hasAlpha = false;             ///< channel A beside the colour
   std::vector<ImageSource> m_sources;  ///< of the images that the directory has

@@ -1,9 +1,10 @@
-// OpenEXR images in and out: scan-line or tiled, first part, half, float or 32-bit integer channels.
+// OpenEXR images in and out: scan-line or tiled, of one part or several, half, float or 32-bit integer channels.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "host/io/exr_header.hpp"
 #include "host/io/image.hpp"
 
 namespace quell::io {
@@ -11,28 +12,27 @@ namespace quell::io {
 /// How samples are stored. Half: 10 bits of mantissa, |value| <= 65504. Uint: 32 bits, whole numbers.
 enum class ExrType { Half, Float, Uint };
 
-/// What a file says about itself, without its pixels.
-struct ExrHeader {
-  int width = 0;                      ///< of the data window, pixels, >= 1
-  int height = 0;                     ///< of the data window, pixels, >= 1
-  std::vector<std::string> channels;  ///< names in alphabetical order, as the format keeps them
-};
-
-/// Reads the header alone. Throws Error(FileError): missing, not OpenEXR, damaged, or larger than 2^28
-/// pixels.
-ExrHeader readExrHeader(const std::string& path);
-
-/// Reads the first of these channel sets that the file has: R G B, X Y Z, Y alone, R G. Pixel (0, 0) of the
+/// Reads the first of these channel sets that a part of the file has: R G B, X Y Z, Y alone, R G. Pixel (0, 0) of the
 /// image is the top left of the data window, wherever that lies. Samples come as they are, NaN and Inf
 /// included. Throws Error(FileError): missing file, damaged or truncated file, none of the channel sets (says
 /// which channels there are).
 Image readExr(const std::string& path);
 
-/// As readExr(), with the channels asked for, in that order (for example {"diffuse.R", "diffuse.G"}).
+/// As readExr(), with the channels asked for, in that order (for example {"diffuse.R", "diffuse.G"}), of whatever parts;
+/// names as in ExrHeader::channels. Parts with other windows than the first of these are placed by window.
 Image readExr(const std::string& path, const std::vector<std::string>& channels);
 
 /// As readExr(), but a file without three channels (R G B or X Y Z) is refused with Error(FileError).
 Image readExrRgb(const std::string& path);
+
+/// An image with where it lies.
+struct PlacedImage {
+  Image image;
+  PictureWindows windows;
+};
+
+/// As readExr() with channels, or for no channels as readExrRgb().
+PlacedImage readPlacedExr(const std::string& path, const std::vector<std::string>& channels = {});
 
 /// Throws Error(InvalidArgument) naming `path`, the size expected and the size found, unless they agree.
 void requireSize(const Image& image, int width, int height, const std::string& path);
@@ -47,5 +47,10 @@ void writeExr(const std::string& path, const Image& image, ExrType type = ExrTyp
 /// The same with channels of these names, as many as the image has.
 void writeExr(const std::string& path, const Image& image, const std::vector<std::string>& channels,
               ExrType type);
+
+/// The same, with the windows and the attributes of another file. What speaks of its channels, parts, samples or preview
+/// stays behind.
+void writeExr(const std::string& path, const Image& image, const std::vector<std::string>& channels,
+              ExrType type, const ExrOrigin& origin);
 
 }  // namespace quell::io

@@ -1,5 +1,6 @@
 #include "host/io/frame_sequence.hpp"
 
+#include <cctype>
 #include <filesystem>
 
 #include "host/io/bmfr_sequence.hpp"
@@ -20,28 +21,73 @@ bool hasColorFiles(const std::string& directory) {
   return false;
 }
 
+[[noreturn]] void refuseSignals(const std::string& directory) {
+  throwFileError("open sequence", directory, std::string("two signals beside ") + kCyclesCameraFile,
+                 std::string("the layout of ") + kBmfrCameraFile + ", which has one");
+}
+
+std::unique_ptr<FrameSequence> openFrameFiles(const std::string& name, FrameFiles files,
+                                              const SequenceOptions& options) {
+  std::vector<PassFiles> passes = {{{}, std::move(files)}};
+  return std::make_unique<MultilayerSequence>(name, std::move(passes), options);
+}
+
+/// Frames that are channels of files, all in one or a file for each pass; nothing where there are no files.
+std::unique_ptr<FrameSequence> openChannels(const std::string& directory, const SequenceOptions& options) {
+  FrameFiles multilayer = findMultilayerFiles(directory, options.channels);
+  if (!multilayer.empty()) return openFrameFiles(directory, std::move(multilayer), options);
+  std::vector<PassFiles> passes = passFilesOf(FrameDirectory(directory));
+  if (passes.empty()) return nullptr;
+  // One sequence alone lacks passes; a message about its own channels is clearer without its name before them.
+  if (passes.size() == 1) return openFrameFiles(directory, std::move(passes.front().files), options);
+  return std::make_unique<MultilayerSequence>(directory, std::move(passes), options);
+}
+
+std::unique_ptr<FrameSequence> openDirectory(const std::string& directory, const SequenceOptions& options) {
+  // Separate files may lie beside a multilayer one: they come first.
+  const bool bmfr = hasFile(directory, kBmfrCameraFile), colors = hasColorFiles(directory);
+  if (options.channels.given() || (!bmfr && !colors))
+    if (auto sequence = openChannels(directory, options)) return sequence;
+  if (hasFile(directory, kCyclesCameraFile))
+    return std::make_unique<CyclesSequence>(directory, options.signals, options.missing);
+  if (!bmfr)
+    throwFileError("open sequence", directory,
+                   std::string(kCyclesCameraFile) + " (beside color_0000.exr, ...) or " + kBmfrCameraFile +
+                       " (beside color0.exr, ...) or multilayer files such as 0001.exr",
+                   "none of them");
+  if (options.signals != 1) refuseSignals(directory);
+  return std::make_unique<BmfrSequence>(directory, options.missing);
+}
+
+/// The files that a pattern stands for; those of the colour stand for the other buffers beside them.
+std::unique_ptr<FrameSequence> openFiles(const std::string& pattern, const SequenceOptions& options) {
+  FrameFiles files = findFrameFiles(pattern);
+  const std::string directory = files.directory(), stem = factsOf(&FrameData::radiance).files.stem;
+  if (files.prefix() == stem + "_")
+    return std::make_unique<CyclesSequence>(directory, options.signals, options.missing, std::move(files));
+  if (files.prefix() != stem || !hasFile(directory, kBmfrCameraFile))
+    return openFrameFiles(pattern, std::move(files), options);
+  if (options.signals != 1) refuseSignals(directory);
+  return std::make_unique<BmfrSequence>(directory, options.missing, std::move(files));
+}
+
+bool isExr(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".exr";
+}
+
 }  // namespace
 
-std::unique_ptr<FrameSequence> openSequence(const std::string& directory, int signals) {
+std::unique_ptr<FrameSequence> openSequence(const std::string& path, const SequenceOptions& options) {
+  requireChannelOptions(options.channels);
   std::error_code failure;
-  if (isMultilayerFile(directory)) return std::make_unique<MultilayerSequence>(directory, false, signals);
-  if (!std::filesystem::is_directory(directory, failure))
-    throwFileError("open sequence", directory, "a directory of frames or a multilayer OpenEXR file",
-                   "no such directory");
-  // Separate files may lie beside a multilayer one: they come first.
-  const std::string multilayer = hasFile(directory, kBmfrCameraFile) || hasColorFiles(directory)
-                                     ? std::string()
-                                     : findMultilayerFile(directory);
-  if (!multilayer.empty()) return std::make_unique<MultilayerSequence>(multilayer, true, signals);
-  if (hasFile(directory, kCyclesCameraFile)) return std::make_unique<CyclesSequence>(directory, signals);
-  if (hasFile(directory, kBmfrCameraFile) && signals != 1)
-    throwFileError("open sequence", directory, std::string("two signals beside ") + kCyclesCameraFile,
-                   std::string("the layout of ") + kBmfrCameraFile + ", which has one");
-  if (hasFile(directory, kBmfrCameraFile)) return std::make_unique<BmfrSequence>(directory);
-  throwFileError("open sequence", directory,
-                 std::string(kCyclesCameraFile) + " (beside color_0000.exr, ...) or " + kBmfrCameraFile +
-                     " (beside color0.exr, ...) or multilayer files such as 0001.exr",
-                 "none of them");
+  if (std::filesystem::is_directory(path, failure)) return openDirectory(path, options);
+  const bool exists = std::filesystem::exists(path, failure);
+  if (exists && isExr(path)) return openFrameFiles(path, oneFile(path), options);
+  if (!exists && isFramePattern(path)) return openFiles(path, options);
+  throwFileError("open sequence", path, "a directory of frames or a multilayer OpenEXR file",
+                 exists ? "a file that is none" : "no such directory");
 }
 
 }  // namespace quell::io

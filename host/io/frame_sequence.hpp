@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "host/core/image_schema.hpp"
+#include "host/io/channel_map.hpp"
+#include "host/io/frame_files.hpp"
 #include "host/io/image.hpp"
 #include "host/io/reference.hpp"
 
@@ -16,7 +18,7 @@ namespace quell::io {
 /// What a user should know about a frame that can be denoised all the same.
 struct FrameWarning {
   /// Of each kind a sequence's first is worth telling.
-  enum class Kind { Camera };
+  enum class Kind { Camera, CameraConvention, MissingFrames, Windows };
   Kind kind;
   std::string file;
   std::string expected;
@@ -26,15 +28,17 @@ struct FrameWarning {
 
 /// One frame in host memory. Images share one size; an absent optional one is empty.
 struct FrameData {
-  int number = 0;  ///< frame number within its sequence, >= 0
+  int number = 0;  ///< frame number within its sequence
   Camera camera;
   /// What they hold stands in quell/frame_images.h; channels as in files. Object ids are whole numbers up to 2^24.
 #define QUELL_IMAGE(name, ...) Image name;
   QUELL_FRAME_IMAGES(QUELL_IMAGE)
 #undef QUELL_IMAGE
-  Image combined;  ///< 3 channels, linear radiance as a whole; only where two signals were asked for
-  Image alpha;     ///< 1 channel, of the file of the light as a whole; empty where it has none
+  Image combined;    ///< 3 channels, linear radiance as a whole; only where two signals were asked for
+  Image alpha;       ///< 1 channel, of the file of the light as a whole; empty where it has none
+  ExrOrigin origin;  ///< windows and attributes of that file, for what is made from the frame
   std::vector<FrameWarning> warnings;
+  bool afterGap = false;      ///< the frame before is missing: what is older is no history
   bool repeatsNoise = false;  ///< noise and view are those of the frame before: history is no further sample
   /// True where light is already divided by albedo and gloss colour (two signals, and the layout published with
   /// the BMFR paper).
@@ -60,7 +64,7 @@ class FrameSequence {
   virtual std::string name() const = 0;         ///< for messages, for example the directory
   virtual int width() const = 0;                ///< pixels, >= 1
   virtual int height() const = 0;               ///< pixels, >= 1
-  virtual std::vector<int> frames() const = 0;  ///< frame numbers present, ascending, without gaps
+  virtual std::vector<int> frames() const = 0;  ///< frame numbers present, ascending
   virtual FrameData read(int frame) const = 0;  ///< throws Error(FileError | InvalidArgument)
   /// The file that an image of a frame comes from, for messages.
   virtual std::string fileOf(int /*frame*/, const ImageFiles& /*files*/) const { return name(); }
@@ -73,13 +77,29 @@ class FrameSequence {
   /// Whether the primary rays of some frame leave the centres of their pixels, as far as the files say.
   virtual bool jittered() const { return false; }
 
+  /// Which channels the images come from, and which images are missing and cost quality, to be told once; each a line.
+  virtual std::vector<std::string> describeChannels() const { return {}; }
+
   /// The limits that ship with the data; nothing where it has none (the denoiser then derives its own).
   virtual std::optional<HistoryLimits> historyLimits() const { return std::nullopt; }
 };
 
-/// Opens a directory in a supported layout, or one multilayer file; which one is found by looking (see
-/// cycles_sequence.hpp, bmfr_sequence.hpp and multilayer_sequence.hpp). `signals`: 1, or 2 for diffuse and glossy light
-/// apart. Throws Error(FileError) saying what was looked for, or which layout has no two signals.
-std::unique_ptr<FrameSequence> openSequence(const std::string& directory, int signals = 1);
+/// What to open, and how.
+struct SequenceOptions {
+  SequenceOptions(int numberOfSignals = 1, MissingFrames missingFrames = MissingFrames::Refuse)
+      : signals(numberOfSignals), missing(missingFrames) {}
+
+  int signals;  ///< 1, or 2 for diffuse and glossy light apart
+  MissingFrames missing;
+  ChannelOptions
+      channels;  ///< anything but the default: files are read by their channels, whatever the layout
+};
+
+/// Opens a directory in a supported layout, one multilayer file, or a pattern of files (frame_files.hpp): numbered
+/// multilayer files, or those of the colour in the layout of separate files. Which one it is is found by looking (see
+/// cycles_sequence.hpp, bmfr_sequence.hpp and multilayer_sequence.hpp); where `options.channels` says anything, files are
+/// read by their channels. Throws Error(FileError) saying what was looked for, which layout has no two signals, or which
+/// two sequences lie in one directory.
+std::unique_ptr<FrameSequence> openSequence(const std::string& path, const SequenceOptions& options = {});
 
 }  // namespace quell::io

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "host/io/exr_image.hpp"
-
 namespace quell::io {
 
 std::vector<ImageSource> imageSources(int signals) {
@@ -24,18 +22,21 @@ std::vector<ImageSource> imageSources(int signals) {
     combined.image = &FrameData::combined;
     sources.push_back(combined);
     sources.front().files.stem = "diffuse_irradiance";
-    sources.front().files.passes = "DiffDir+DiffInd";
+    sources.front().files.role = "diffuse";
   } else {
     std::rotate(sources.begin(), sources.begin() + 1, sources.end());
   }
   return sources;
 }
 
+ExrType exrTypeOf(FileSamples samples) {
+  return samples == FileSamples::HALF    ? ExrType::Half
+         : samples == FileSamples::FLOAT ? ExrType::Float
+                                         : ExrType::Uint;
+}
+
 void writeImage(const std::string& path, const Image& image, const ImageFiles& files) {
-  writeExr(path, image,
-           files.samples == FileSamples::HALF    ? ExrType::Half
-           : files.samples == FileSamples::FLOAT ? ExrType::Float
-                                                 : ExrType::Uint);
+  writeExr(path, image, exrTypeOf(files.samples));
 }
 
 }  // namespace quell::io

@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "host/io/exr_image.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::io {
 
-/// One image of FrameData, its files and passes.
+/// One image of FrameData, its files and its role.
 struct ImageSource {
   Image FrameData::*image;
   ImageFiles files;
@@ -19,6 +20,8 @@ struct ImageSource {
 /// is required and `combined` is the light as a whole; with one, there is no glossyRadiance. Positions are required,
 /// view depth in place of them is not among these. The light as a whole comes last.
 std::vector<ImageSource> imageSources(int signals);
+
+ExrType exrTypeOf(FileSamples samples);
 
 /// Writes an image with the samples that its files have. Throws Error(FileError).
 void writeImage(const std::string& path, const Image& image, const ImageFiles& files);

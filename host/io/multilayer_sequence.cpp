@@ -1,18 +1,19 @@
 #include "host/io/multilayer_sequence.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <sstream>
 
 #include "host/io/cycles_sequence.hpp"
+#include "host/io/exr_camera.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/file_error.hpp"
 #include "host/io/image_sources.hpp"
+#include "host/io/light_remainder.hpp"
 #include "host/io/multilayer_camera.hpp"
+#include "host/io/ray_depth.hpp"
 #include "host/io/sequence_files.hpp"
 
 namespace quell::io {
@@ -21,192 +22,140 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kStage[] = "open sequence";
-constexpr char kCombined[] = ".Combined.R";
-/// Blender adds what its compositor makes as a layer of this name.
-constexpr char kCompositorLayer[] = "Composite";
+constexpr char kCycles[] = "cycles";
+// Images that cameras are found from.
+constexpr const char* kPosition = factsOf(&FrameData::positionWorld).files.role;
+constexpr const char* kNormal = factsOf(&FrameData::normalWorld).files.role;
+constexpr const char* kDepth = factsOf(&FrameData::viewDepth).files.role;
+constexpr char kAlpha[] = "alpha";
+constexpr char kTransmission[] = "transmission_color";
 
-constexpr ImageFiles kPosition = factsOf(&FrameData::positionWorld).files;
-constexpr ImageFiles kNormal = factsOf(&FrameData::normalWorld).files;
-constexpr ImageFiles kColor = factsOf(&FrameData::radiance).files;
-constexpr ImageFiles kDepth = factsOf(&FrameData::viewDepth).files;
-
-/// An image is the sum of these.
-std::vector<std::string> passesOf(const ImageFiles& files) {
-  std::vector<std::string> passes;
-  std::istringstream list(files.passes);
-  for (std::string pass; std::getline(list, pass, '+');) passes.push_back(pass);
-  return passes;
-}
-
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-/// The view layers: what stands before .Combined.R.
-std::vector<std::string> layersOf(const std::vector<std::string>& channels) {
-  std::vector<std::string> layers;
-  for (const std::string& channel : channels)
-    if (endsWith(channel, kCombined))
-      layers.push_back(channel.substr(0, channel.size() - std::string(kCombined).size()));
-  if (layers.size() > 1)
-    layers.erase(std::remove(layers.begin(), layers.end(), kCompositorLayer), layers.end());
-  return layers;
-}
-
-std::size_t countDigits(const std::string& stem) {
-  std::size_t digits = 0;
-  while (digits < stem.size() && stem[stem.size() - 1 - digits] >= '0' &&
-         stem[stem.size() - 1 - digits] <= '9')
-    ++digits;
-  return std::min<std::size_t>(digits, 9);  // what fits an int
+/// Blender's y points up, and its background has no motion, whatever the camera does: better no history there.
+void toContract(Image& motion, const Image& normal) {
+  for (std::size_t pixel = 0; pixel < normal.pixels.size() / 3; ++pixel) {
+    const float* n = &normal.pixels[3 * pixel];
+    const bool background = n[0] == 0.0f && n[1] == 0.0f && n[2] == 0.0f;
+    float& y = motion.pixels[2 * pixel + 1];
+    y = background ? std::numeric_limits<float>::quiet_NaN() : -y;
+  }
 }
 
 }  // namespace
 
-bool isMultilayerFile(const std::string& path) {
+bool isMultilayerFile(const std::string& path, const ChannelOptions& options) {
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) return false;
   try {
-    return !layersOf(readExrHeader(path).channels).empty();
+    const ExrHeader header = readExrHeader(path);
+    return hasFrameChannels(header.channels, header.views, options);
   } catch (const Error&) {
     return false;
   }
 }
 
-std::string findMultilayerFile(const std::string& directory) {
-  std::error_code failure;
-  std::vector<std::string> paths;
-  const fs::directory_iterator end;
-  for (fs::directory_iterator entry(directory, failure); !failure && entry != end; entry.increment(failure))
-    if (entry->path().extension() == ".exr" && countDigits(entry->path().stem().string()) > 0)
-      paths.push_back(entry->path().string());
-  std::sort(paths.begin(), paths.end());
-  const auto found = std::find_if(paths.begin(), paths.end(), isMultilayerFile);
-  return found == paths.end() ? std::string() : *found;
+FrameFiles findMultilayerFiles(const std::string& directory, const ChannelOptions& options) {
+  std::vector<FrameFiles> found;
+  for (FrameFiles& files : FrameDirectory(directory).all()) {
+    const std::vector<int> frames = files.frames();
+    if (std::any_of(frames.begin(), frames.end(),
+                    [&](int frame) { return isMultilayerFile(files.path(frame), options); }))
+      found.push_back(std::move(files));
+  }
+  return found.empty() ? FrameFiles() : requireOneSequence(directory, found);
 }
 
-MultilayerSequence::MultilayerSequence(const std::string& path, bool wholeDirectory, int signals)
-    : m_name(wholeDirectory ? fs::path(path).parent_path().string() : path), m_signals(signals) {
-  const std::string stem = fs::path(path).stem().string();
-  const std::size_t digits = countDigits(stem);
-  m_digits = int(digits);
-  m_prefix = (fs::path(path).parent_path() / stem.substr(0, stem.size() - digits)).string();
-  const int number = digits > 0 ? std::stoi(stem.substr(stem.size() - digits)) : 0;
-  if (wholeDirectory) {
-    m_frames = findFrames(m_name, [&](int frame) { return fs::path(fileOf(frame)).filename().string(); });
-  } else {
-    m_frames = {number};
-  }
-
-  const ExrHeader header = readExrHeader(path);
-  m_width = header.width;
-  m_height = header.height;
-  m_channels = header.channels;
-  const std::vector<std::string> layers = layersOf(m_channels);
-  if (layers.size() != 1)
-    throwFileError(kStage, path, "one view layer with the pass Combined",
-                   layers.empty() ? "none" : fmt::format("{}", fmt::join(layers, ", ")));
-  m_layer = layers.front();
-  openCameras(fs::path(path).parent_path().string());
-  requirePasses();
+MultilayerSequence::MultilayerSequence(std::string name, std::vector<PassFiles> passes,
+                                       const SequenceOptions& options)
+    : m_name(std::move(name)),
+      m_files(m_name, std::move(passes), options.channels, options.missing),
+      m_signals(options.signals) {
+  m_headerCameras = !headerCameras(readExrHeader(m_files.fileOf(m_files.frames().front()))).empty();
+  openCameras(m_files.directory());
+  requireImages();
 }
 
 void MultilayerSequence::openCameras(const std::string& directory) {
   if (!hasFile(directory.empty() ? "." : directory, kCyclesCameraFile)) return;
-  const std::string path = joinPath(directory, kCyclesCameraFile);
-  m_cameras = readCameraFile(path);
-  for (const int frame : m_frames)
-    if (m_cameras.count(frame) == 0)
-      throwFileError(kStage, path, fmt::format("matrices of frame {}", frame), "none");
+  m_cameras = DeclaredCameras(joinPath(directory, kCyclesCameraFile), m_files.windows(), m_files.frames());
 }
 
-void MultilayerSequence::requirePasses() const {
-  // The light of two signals is divided by these.
-  const auto isFactor = [](const ImageSource& source) {
-    return source.image == &FrameData::albedo || source.image == &FrameData::glossColor;
-  };
+void MultilayerSequence::requireImages() const {
   for (const ImageSource& source : imageSources(m_signals))
-    if (source.image != &FrameData::positionWorld &&
-        (source.required || (m_signals == 2 && isFactor(source))))
-      for (const std::string& pass : passesOf(source.files))
-        if (!hasPass(pass, source.files.passChannels))
-          throwFileError(kStage, m_name, fmt::format("the pass {}.{}", m_layer, pass), "a file without it");
-  const bool position = hasImage(kPosition), depth = hasImage(kDepth);
-  if (m_cameras.empty() && !(position && depth))
-    throwFileError(
-        kStage, m_name,
-        fmt::format("the pass {}.{}, or camera.json beside it", m_layer, position ? "Depth" : "Position"),
-        "neither");
-  if (!position && !depth)
-    throwFileError(kStage, m_name, fmt::format("the pass {0}.Position or {0}.Depth", m_layer), "neither");
+    if (source.required && source.image != &FrameData::positionWorld) m_files.require(source.files.role);
+  // The light of two signals is divided by these.
+  if (m_signals == 2)
+    for (const char* factor : {"albedo", "gloss_color"}) m_files.require(factor);
+  if (!m_cameras.empty() || m_headerCameras) return;
+  for (const char* image : {kPosition, kDepth}) m_files.require(image, ", or camera.json beside the files");
+  if (!depthShowsCamera())
+    throwFileError(kStage, m_name, "camera.json beside the files, or depth along the view axis or along rays",
+                   fmt::format("depth of the kind {}", toString(m_files.depthKind())));
 }
 
-std::string MultilayerSequence::fileOf(int frame) const {
-  return m_digits > 0 ? fmt::format("{}{:0{}}.exr", m_prefix, frame, m_digits) : m_prefix + ".exr";
+Image MultilayerSequence::readOne(int frame, const char* image) const {
+  FrameData unwatched;  // warnings are those of reading the frame itself
+  unwatched.number = frame;
+  return m_files.read(unwatched, image);
 }
 
-std::vector<std::string> MultilayerSequence::channelsOf(const std::string& pass,
-                                                        const std::string& letters) const {
-  std::vector<std::string> names;
-  for (const char letter : letters) names.push_back(m_layer + "." + pass + "." + letter);
-  return names;
+bool MultilayerSequence::depthShowsCamera() const {
+  return m_files.depthKind() == DepthKind::View || m_files.depthKind() == DepthKind::Ray;
 }
 
-bool MultilayerSequence::hasPass(const std::string& pass, const std::string& letters) const {
-  const std::vector<std::string> names = channelsOf(pass, letters);
-  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-    return std::find(m_channels.begin(), m_channels.end(), name) != m_channels.end();
-  });
+Image MultilayerSequence::viewDepth(int frame, const Image& positions) const {
+  Image depth = readOne(frame, kDepth);
+  if (m_files.depthKind() == DepthKind::View) return depth;
+  auto view = viewDepthFromRays(positions, depth);
+  return view ? std::move(*view) : Image(depth.width, depth.height, 1, kNoSurfaceDepth);
 }
 
-bool MultilayerSequence::hasImage(const ImageFiles& files) const {
-  const std::vector<std::string> passes = passesOf(files);
-  return std::any_of(passes.begin(), passes.end(),
-                     [&](const std::string& pass) { return hasPass(pass, files.passChannels); });
-}
-
-Image MultilayerSequence::readImage(int frame, const ImageFiles& files) const {
-  Image sum;
-  for (const std::string& pass : passesOf(files)) {
-    if (!hasPass(pass, files.passChannels)) continue;
-    Image image = readChannelsOfSize(fileOf(frame), channelsOf(pass, files.passChannels), m_width, m_height);
-    if (sum.empty()) {
-      sum = std::move(image);
-    } else {
-      for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += image.pixels[i];
-    }
-  }
-  return sum;
+std::optional<Matrix4> MultilayerSequence::headerCamera(int frame, const Image& positions) const {
+  const std::vector<Matrix4> cameras = headerCameras(readExrHeader(m_files.fileOf(frame)));
+  if (!m_form) m_form = fittingCamera(cameras, positions);
+  if (!m_form || *m_form >= cameras.size()) return std::nullopt;
+  return cameras[*m_form];
 }
 
 const FoundCamera& MultilayerSequence::foundCamera(int frame) const {
   const auto known = m_found.find(frame);
   if (known != m_found.end()) return known->second;
-  return m_found[frame] = findCamera(readImage(frame, kPosition), readImage(frame, kDepth));
+  FoundCamera found;
+  const Image positions = m_files.has(kPosition) ? readOne(frame, kPosition) : Image();
+  if (m_headerCameras) found.worldToClip = headerCamera(frame, positions);
+  const bool follows = !positions.empty() && m_files.has(kDepth) && depthShowsCamera();
+  if (!found.worldToClip && !follows)
+    throwFileError("read frame", m_files.fileOf(frame),
+                   "a camera in the header that puts positions at their pixels",
+                   "one that does not; camera.json beside the file would tell");
+  if (!found.worldToClip) found = findCamera(positions, viewDepth(frame, positions));
+  return m_found[frame] = std::move(found);
 }
 
 std::optional<int> MultilayerSequence::lastFrameWithCamera(int frame) const {
-  for (; frame >= m_frames.front(); --frame)
-    if (foundCamera(frame).worldToClip) return frame;
+  const std::vector<int>& frames = m_files.frames();
+  for (auto last = std::upper_bound(frames.begin(), frames.end(), frame); last != frames.begin();)
+    if (foundCamera(*--last).worldToClip) return *last;
   return std::nullopt;
 }
 
 Matrix4 MultilayerSequence::worldToClipOf(int frame) const {
   if (const auto found = lastFrameWithCamera(frame)) return *foundCamera(*found).worldToClip;
-  return standInCamera(readImage(frame, kPosition), readImage(frame, kNormal), readImage(frame, kDepth));
+  const Image positions = readOne(frame, kPosition);
+  return standInCamera(positions, readOne(frame, kNormal), viewDepth(frame, positions));
 }
 
 void MultilayerSequence::setCamera(FrameData& data) const {
   const int frame = data.number;
   if (!m_cameras.empty()) {
-    data.camera = m_cameras.at(frame);
+    m_cameras.setCamera(data, [&] { return m_files.has(kPosition) ? readOne(frame, kPosition) : Image(); });
     return;
   }
+  const bool follows = std::binary_search(m_files.frames().begin(), m_files.frames().end(), frame - 1);
   data.camera.worldToClip = worldToClipOf(frame);
-  data.camera.worldToClipPrev = frame > m_frames.front() ? worldToClipOf(frame - 1) : data.camera.worldToClip;
+  data.camera.worldToClipPrev = follows ? worldToClipOf(frame - 1) : data.camera.worldToClip;
   if (foundCamera(frame).worldToClip) return;
   const auto last = lastFrameWithCamera(frame);
-  data.warnings.push_back({FrameWarning::Kind::Camera, fileOf(frame),
+  data.warnings.push_back({FrameWarning::Kind::Camera, m_files.fileOf(frame),
                            "camera.json, or a perspective camera that follows from Position and Depth",
                            foundCamera(frame).failure,
                            (last ? fmt::format("goes on with that of frame {}", *last)
@@ -214,35 +163,43 @@ void MultilayerSequence::setCamera(FrameData& data) const {
                                ", and so do others like it; camera.json beside the files would tell"});
 }
 
-Image MultilayerSequence::readPositions(int frame, const Matrix4& worldToClip) const {
-  if (hasImage(kPosition)) return readImage(frame, kPosition);
-  auto position = positionsFromDepth(worldToClip, readImage(frame, kDepth));
+Image MultilayerSequence::readPositions(FrameData& data) const {
+  if (m_files.has(kPosition)) return m_files.read(data, kPosition);
+  const Image depth = viewDepthOf(m_files.read(data, kDepth), m_files.depthKind(),
+                                  {data.camera.worldToClip, data.camera.jitterPx,
+                                   m_cameras.empty() ? std::nullopt : m_cameras.rangeOf(data.number)},
+                                  m_files.fileOf(data.number, kDepth));
+  auto position = positionsFromDepth(data.camera.worldToClip, depth);
   if (!position)
-    throwFileError("read frame", fileOf(frame), fmt::format("the pass {}.Position", m_layer),
-                   "a camera from which positions cannot be found by Depth");
+    throwFileError("read frame", m_files.fileOf(data.number, kDepth), "channels of position",
+                   "a camera from which positions cannot be found by depth");
   return std::move(*position);
 }
 
 FrameData MultilayerSequence::read(int frame) const {
-  requireFrame(m_name, m_frames, frame);
+  requireFrame(m_name, m_files.frames(), frame);
   FrameData data;
   data.number = frame;
+  markGap(data, m_files.frames(), m_files.fileOf(frame - 1));
+  data.origin = m_files.origin(frame);
   setCamera(data);
   data.demodulated = m_signals == 2;
-  for (const ImageSource& source : imageSources(m_signals))
-    data.*source.image = source.image == &FrameData::positionWorld
-                             ? readPositions(frame, data.camera.worldToClip)
-                             : readImage(frame, source.files);
-  if (hasPass(kColor.passes, "A"))
-    data.alpha = readChannelsOfSize(fileOf(frame), channelsOf(kColor.passes, "A"), m_width, m_height);
-  for (std::size_t pixel = 0; !data.motion.empty() && pixel < data.normalWorld.pixels.size() / 3; ++pixel) {
-    float* motion = &data.motion.pixels[2 * pixel];
-    const float* normal = &data.normalWorld.pixels[3 * pixel];
-    // Blender's y points up, and its background has no motion, whatever the camera does: better no history there.
-    const bool background = normal[0] == 0.0f && normal[1] == 0.0f && normal[2] == 0.0f;
-    motion[1] = background ? std::numeric_limits<float>::quiet_NaN() : -motion[1];
+  for (const ImageSource& source : imageSources(m_signals)) {
+    if (source.image == &FrameData::positionWorld) {
+      data.positionWorld = readPositions(data);
+    } else if (m_files.has(source.files.role)) {
+      data.*source.image = m_files.read(data, source.files.role);
+    }
   }
+  if (m_files.has(kAlpha)) data.alpha = m_files.read(data, kAlpha);
+  if (!data.motion.empty() && m_files.map().renderer == kCycles) toContract(data.motion, data.normalWorld);
+  if (m_signals == 2)
+    keepRemainder(data, m_files.has(kTransmission) ? m_files.read(data, kTransmission) : Image());
   return data;
+}
+
+std::string MultilayerSequence::fileOf(int frame, const ImageFiles& files) const {
+  return m_files.fileOf(frame, files.role);
 }
 
 bool MultilayerSequence::hasReference(int /*frame*/, ReferenceKind /*kind*/) const { return false; }

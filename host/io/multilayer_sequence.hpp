@@ -1,12 +1,14 @@
-// Multilayer OpenEXR files as Blender's Cycles writes them: all passes of a frame in one file, named
-// <view layer>.<pass>.<channel>.
+// Frames whose images are channels of OpenEXR files, as renderers name them (channel_names.hpp): all in one file for each
+// frame, of one part or several, or a file for each pass.
 //
-// Needed: Combined, Normal, and Position or Depth. Read where a file has them: the passes of the other images of the
-// contract (quell/frame_images.h). Two signals need DiffDir, DiffInd, GlossDir, GlossInd, DiffCol and GlossCol besides.
+// Needed: color, normal, and position or depth. Read where there are any: the other images of the contract
+// (quell/frame_images.h). Two signals need diffuse, glossy, albedo and gloss_color besides; what they do not explain of the
+// colour stays in the picture (light_remainder.hpp).
 //
-// The camera comes from camera.json beside the files (cycles_sequence.hpp), whose frame numbers are those of the file
-// names. Without it, it follows from Position and Depth: each is a linear function of the other, up to the pixel.
-// Alpha of Combined is kept beside the frame.
+// The camera comes from camera.json beside the files (camera_file.hpp), whose frame numbers are those of the file names, or
+// from the headers of the files (exr_camera.hpp). Without, it follows from position and depth: each is a linear function
+// of the other, up to the pixel; distances along rays do as well (ray_depth.hpp). Motion of Cycles is turned to that of the
+// contract; that of others is taken as it is. Alpha of the colour is kept beside the frame.
 #pragma once
 
 #include <map>
@@ -14,59 +16,58 @@
 #include <vector>
 
 #include "host/io/camera_fit.hpp"
+#include "host/io/channel_files.hpp"
+#include "host/io/declared_cameras.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::io {
 
-/// Whether the file is there and has a channel that ends with .Combined.R.
-bool isMultilayerFile(const std::string& path);
+/// Whether the file is there and has channels of color, normal, and position or depth.
+bool isMultilayerFile(const std::string& path, const ChannelOptions& options = {});
 
-/// The multilayer file of the least frame number in a directory; empty where there is none.
-std::string findMultilayerFile(const std::string& directory);
+/// The multilayer files of a directory; empty where there are none. Throws Error(FileError) naming both where there are
+/// two sequences.
+FrameFiles findMultilayerFiles(const std::string& directory, const ChannelOptions& options = {});
 
 class MultilayerSequence final : public FrameSequence {
  public:
-  /// `path` is one frame; with `wholeDirectory` all files beside it that differ in the number before ".exr" alone.
-  /// Throws Error(FileError): no view layer or several, a pass that is missing (names it), a gap in the numbers, no
-  /// camera.json and not both of Position and Depth.
-  MultilayerSequence(const std::string& path, bool wholeDirectory, int signals);
+  /// `name` is what messages call the sequence. Throws what ChannelFiles throws, and Error(FileError): an image that is
+  /// missing (names it), no camera.json and not both of position and depth.
+  MultilayerSequence(std::string name, std::vector<PassFiles> passes, const SequenceOptions& options);
 
   std::string name() const override { return m_name; }
-  int width() const override { return m_width; }
-  int height() const override { return m_height; }
-  std::vector<int> frames() const override { return m_frames; }
+  int width() const override { return m_files.windows().data.width; }
+  int height() const override { return m_files.windows().data.height; }
+  std::vector<int> frames() const override { return m_files.frames(); }
   /// Throws Error(InvalidArgument) for a frame that is not there or an image of another size, Error(FileError) for an
   /// unreadable file. Where no camera can be found (all surfaces in one plane, or none at all), the frame has that of the
   /// last one before that has one, else standInCamera(), and a warning.
   FrameData read(int frame) const override;
-  std::string fileOf(int frame, const ImageFiles&) const override { return fileOf(frame); }
+  std::string fileOf(int frame, const ImageFiles& files) const override;
+  std::vector<std::string> describeChannels() const override { return describe(m_files.map()); }
   bool hasReference(int frame, ReferenceKind kind) const override;
   Reference reference(int frame, ReferenceKind kind) const override;
 
  private:
   void openCameras(const std::string& directory);
-  void requirePasses() const;
-  std::string fileOf(int frame) const;
-  std::vector<std::string> channelsOf(const std::string& pass, const std::string& letters) const;
-  bool hasPass(const std::string& pass, const std::string& letters) const;
-  bool hasImage(const ImageFiles& files) const;
-  Image readImage(int frame, const ImageFiles& files) const;
-  Image readPositions(int frame, const Matrix4& worldToClip) const;
+  void requireImages() const;
+  Image readOne(int frame, const char* image) const;
+  Image readPositions(FrameData& data) const;
+  bool depthShowsCamera() const;  ///< its kind, beside positions
+  /// For cameras that follow from it.
+  Image viewDepth(int frame, const Image& positions) const;
   const FoundCamera& foundCamera(int frame) const;
+  std::optional<Matrix4> headerCamera(int frame, const Image& positions) const;
   std::optional<int> lastFrameWithCamera(int frame) const;  ///< up to this one
   Matrix4 worldToClipOf(int frame) const;
   void setCamera(FrameData& data) const;
 
   std::string m_name;
-  std::string m_prefix;  ///< path up to the number
-  int m_digits = 0;      ///< least digits of the number; 0: a name without one
-  std::vector<int> m_frames;
-  std::map<int, Camera> m_cameras;             ///< empty: found from the passes
+  ChannelFiles m_files;
+  DeclaredCameras m_cameras;                   ///< empty: found from the passes
+  bool m_headerCameras = false;                ///< in the headers of the files
+  mutable std::optional<std::size_t> m_form;   ///< which of headerCameras() the first frame shows to be meant
   mutable std::map<int, FoundCamera> m_found;  ///< by frame; looking takes longer than reading
-  std::vector<std::string> m_channels;
-  std::string m_layer;
-  int m_width = 0;
-  int m_height = 0;
   int m_signals = 1;
 };
 

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <quell/camera.hpp>
 
 #include "host/io/exr_image.hpp"
@@ -19,16 +18,13 @@ namespace fs = std::filesystem;
 
 constexpr char kStage[] = "open sequence";
 
-/// The frame whose file is called `name`, if there is one: the digits before ".exr" must give back the name.
-std::optional<int> frameOf(const std::string& name, const FrameFileName& fileName) {
-  const std::size_t end = name.rfind('.');
-  if (end == std::string::npos) return std::nullopt;
-  std::size_t begin = end;
-  while (begin > 0 && name[begin - 1] >= '0' && name[begin - 1] <= '9') --begin;
-  int frame = 0;
-  const auto parsed = std::from_chars(name.data() + begin, name.data() + end, frame);
-  if (parsed.ec != std::errc() || fileName(frame) != name) return std::nullopt;
-  return frame;
+[[noreturn]] void refuseWindows(const std::string& path, const PictureWindows& got,
+                                const PictureWindows& expected) {
+  const auto text = [](const PictureWindows& windows) {
+    if (windows.data == windows.display) return toString(windows.data);
+    return fmt::format("{} in a picture of {}", toString(windows.data), toString(windows.display));
+  };
+  throw Error(ErrorCode::InvalidArgument, {"read image", path, text(expected), text(got)});
 }
 
 }  // namespace
@@ -42,39 +38,37 @@ std::string joinPath(const std::string& directory, const std::string& name) {
   return (fs::path(directory) / name).string();
 }
 
-std::vector<int> findFrames(const std::string& directory, const FrameFileName& fileName) {
-  std::error_code failure;
-  std::vector<int> frames;
-  const fs::directory_iterator end;
-  for (fs::directory_iterator entry(directory, failure); !failure && entry != end; entry.increment(failure))
-    if (const auto frame = frameOf(entry->path().filename().string(), fileName)) frames.push_back(*frame);
-  if (failure) throwFileError(kStage, directory, "a readable directory", failure.message());
-  std::sort(frames.begin(), frames.end());
-  if (frames.empty())
-    throwFileError(kStage, directory, fmt::format("at least one frame such as {}", fileName(0)), "none");
-  const int count = int(frames.size());
-  for (int i = 1; i < count; ++i)
-    if (frames[i] != frames[i - 1] + 1)
-      throwFileError(kStage, joinPath(directory, fileName(frames[i - 1] + 1)),
-                     fmt::format("frames {} to {} without gaps", frames.front(), frames.back()),
-                     fmt::format("no frame {}", frames[i - 1] + 1));
-  return frames;
+std::vector<int> framesOf(const std::vector<FrameFiles>& required, MissingFrames missing) {
+  std::vector<int> frames = required.front().frames();
+  if (missing == MissingFrames::Refuse || frames.empty()) {
+    required.front().requireNoGaps();
+    for (const FrameFiles& files : required) files.requireAll(frames);
+    return frames;
+  }
+  const auto lacksOne = [&](int frame) {
+    return std::any_of(required.begin(), required.end(),
+                       [frame](const FrameFiles& files) { return !files.has(frame); });
+  };
+  std::vector<int> whole = frames;
+  whole.erase(std::remove_if(whole.begin(), whole.end(), lacksOne), whole.end());
+  if (whole.empty())
+    for (const FrameFiles& files : required) files.requireAll(frames);
+  return whole;
 }
 
-void requireFrameFiles(const std::string& directory, const FrameFileName& fileName,
-                       const std::vector<int>& frames) {
-  for (int frame : frames)
-    if (!hasFile(directory, fileName(frame)))
-      throwFileError(kStage, joinPath(directory, fileName(frame)),
-                     fmt::format("this buffer for each of the {} frames", frames.size()), "no such file");
-}
-
-bool hasFrameFiles(const std::string& directory, const FrameFileName& fileName,
-                   const std::vector<int>& frames) {
-  const bool any = std::any_of(frames.begin(), frames.end(),
-                               [&](int frame) { return hasFile(directory, fileName(frame)); });
-  if (any) requireFrameFiles(directory, fileName, frames);
+bool hasAll(const FrameFiles& files, const std::vector<int>& frames) {
+  const bool any = std::any_of(frames.begin(), frames.end(), [&](int frame) { return files.has(frame); });
+  if (any) files.requireAll(frames);
   return any;
+}
+
+void markGap(FrameData& frame, const std::vector<int>& frames, const std::string& missingFile) {
+  frame.afterGap =
+      frame.number > frames.front() && !std::binary_search(frames.begin(), frames.end(), frame.number - 1);
+  if (!frame.afterGap) return;
+  frame.warnings.push_back({FrameWarning::Kind::MissingFrames, missingFile,
+                            fmt::format("frames {} to {} without gaps", frames.front(), frames.back()),
+                            missingText(frames), "goes on after each gap as after a cut, without history"});
 }
 
 void requireFrame(const std::string& directory, const std::vector<int>& frames, int frame) {
@@ -95,22 +89,42 @@ std::array<double, 2> requireJitter(const std::string& path, const char* name, i
   return jitterPx;
 }
 
-Image readChannelsOfSize(const std::string& path, const std::vector<std::string>& channels, int width,
-                         int height) {
-  Image image = readExr(path, channels);
-  requireSize(image, width, height, path);
-  return image;
+Image readWithin(const std::string& path, const std::vector<std::string>& channels,
+                 const PictureWindows& picture, std::vector<FrameWarning>& warnings) {
+  PlacedImage read = readPlacedExr(path, channels);
+  const PixelWindow &data = read.windows.data, &wanted = picture.data;
+  if (data == wanted) return std::move(read.image);
+  const PixelWindow common = intersection(data, wanted);
+  if (read.windows.display != picture.display || common.width == 0)
+    refuseWindows(path, read.windows, picture);
+  const std::int64_t outside =
+      std::int64_t(wanted.width) * wanted.height - std::int64_t(common.width) * common.height;
+  if (outside > 0)
+    warnings.push_back({FrameWarning::Kind::Windows, path, "a data window of " + toString(wanted),
+                        toString(data),
+                        fmt::format("goes on with zeros, which are background, in {} pixels; files without "
+                                    "cropping (autocrop, regions) would have them",
+                                    outside)});
+  return placed(read.image, data, wanted);
 }
 
-Image readLettersOfSize(const std::string& path, const std::string& letters, int width, int height) {
-  if (letters != "RGB") {
-    std::vector<std::string> channels;
+Image readLettersWithin(const std::string& path, const std::string& letters, const PictureWindows& picture,
+                        std::vector<FrameWarning>& warnings) {
+  std::vector<std::string> channels;
+  if (letters != "RGB")
     for (const char letter : letters) channels.emplace_back(1, letter);
-    return readChannelsOfSize(path, channels, width, height);
-  }
-  Image image = readExrRgb(path);
-  requireSize(image, width, height, path);
-  return image;
+  return readWithin(path, channels, picture, warnings);
+}
+
+void requireWindows(const std::string& path, const PictureWindows& windows, const PictureWindows& expected) {
+  if (windows.data != expected.data || windows.display != expected.display)
+    refuseWindows(path, windows, expected);
+}
+
+ExrOrigin originOf(const std::string& path, const PictureWindows& expected) {
+  const ExrHeader header = readExrHeader(path);
+  requireWindows(path, header.windows, expected);
+  return {header.windows, header.attributes};
 }
 
 }  // namespace quell::io

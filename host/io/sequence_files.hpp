@@ -1,17 +1,15 @@
-// What the sequence layouts share: finding numbered files and reading images of one size.
+// What the sequence layouts share: the frames of several files each, and images of one size.
 #pragma once
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "host/io/frame_files.hpp"
+#include "host/io/frame_sequence.hpp"
 #include "host/io/image.hpp"
 
 namespace quell::io {
-
-/// File name (without directory) of a frame number, for example 7 -> "color_0007.exr".
-using FrameFileName = std::function<std::string(int frame)>;
 
 /// Whether `name` exists in `directory` as something that can be opened as a file.
 bool hasFile(const std::string& directory, const std::string& name);
@@ -19,18 +17,17 @@ bool hasFile(const std::string& directory, const std::string& name);
 /// `directory` and `name` joined.
 std::string joinPath(const std::string& directory, const std::string& name);
 
-/// The frame numbers, ascending, for which `fileName` is in the directory.
-/// Throws Error(FileError): the directory cannot be listed, no such file, or a number is missing in between.
-std::vector<int> findFrames(const std::string& directory, const FrameFileName& fileName);
-
-/// Throws Error(FileError) naming the first frame without such a file.
-void requireFrameFiles(const std::string& directory, const FrameFileName& fileName,
-                       const std::vector<int>& frames);
+/// The frames of a sequence whose every frame needs a file of all of `required`, the first of which counts as the list of
+/// frames. With MissingFrames::Skip those that lack one are left out, as gaps are.
+/// Throws Error(FileError): no frame, a number that is missing in between, or a missing file (names it).
+std::vector<int> framesOf(const std::vector<FrameFiles>& required, MissingFrames missing);
 
 /// For a buffer that may be absent: false if no frame has the file, true if all have it.
 /// Throws Error(FileError) naming the missing file where only some have it.
-bool hasFrameFiles(const std::string& directory, const FrameFileName& fileName,
-                   const std::vector<int>& frames);
+bool hasAll(const FrameFiles& files, const std::vector<int>& frames);
+
+/// Marks a frame that follows a gap (afterGap), with a warning that lists what is missing.
+void markGap(FrameData& frame, const std::vector<int>& frames, const std::string& missingFile);
 
 /// Throws Error(InvalidArgument) unless `frame` is one of `frames`.
 void requireFrame(const std::string& directory, const std::vector<int>& frames, int frame);
@@ -40,11 +37,17 @@ void requireFrame(const std::string& directory, const std::vector<int>& frames, 
 std::array<double, 2> requireJitter(const std::string& path, const char* name, int frame,
                                     std::array<double, 2> jitterPx);
 
-/// Reads channels of these names from an OpenEXR file that must have the given size.
-/// Throws Error(FileError), or Error(InvalidArgument) naming the file, the size expected and the size found.
-Image readChannelsOfSize(const std::string& path, const std::vector<std::string>& channels, int width,
-                         int height);
+/// Reads channels of these names from an OpenEXR file of the picture whose windows are given; pixels that lie elsewhere
+/// than its data window are placed by window. What the file does not cover is 0, with a warning.
+/// Throws Error(FileError), or Error(InvalidArgument) naming the file: another display window, or no pixel in common.
+Image readWithin(const std::string& path, const std::vector<std::string>& channels,
+                 const PictureWindows& picture, std::vector<FrameWarning>& warnings);
 /// The same for channels of one letter each, as in ImageFiles; "RGB" takes X Y Z as well.
-Image readLettersOfSize(const std::string& path, const std::string& letters, int width, int height);
+Image readLettersWithin(const std::string& path, const std::string& letters, const PictureWindows& picture,
+                        std::vector<FrameWarning>& warnings);
+/// Throws Error(InvalidArgument) naming the file unless its picture has these windows.
+void requireWindows(const std::string& path, const PictureWindows& windows, const PictureWindows& expected);
+/// Of the file of the colour, whose windows must be these. Throws as requireWindows(), and Error(FileError).
+ExrOrigin originOf(const std::string& path, const PictureWindows& expected);
 
 }  // namespace quell::io

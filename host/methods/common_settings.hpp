@@ -127,11 +127,15 @@ typename SettingTable<S>::Row& addTemporalVarianceFrames(SettingTable<S>& table,
                    "history length from which on the variance over time is trusted", source);
 }
 
+/// `least` 0: the method can do without the filter.
 template <class S>
-typename SettingTable<S>::Row& addIterations(SettingTable<S>& table, int S::*member) {
+typename SettingTable<S>::Row& addIterations(SettingTable<S>& table, int S::*member, int least = 1) {
   return table.add(
-      "iterations", member, 5, {1, 7},
-      "iterations of the a-trous filter; the last one's taps are 2^(iterations - 1) pixels apart",
+      "iterations", member, 5, {double(least), 7},
+      least == 0
+          ? "iterations of the a-trous filter, the last one's taps 2^(iterations - 1) pixels apart; 0: "
+            "none, the output is the history"
+          : "iterations of the a-trous filter; the last one's taps are 2^(iterations - 1) pixels apart",
       "Schied et al. 2017, section 4.3");
 }
 

@@ -70,20 +70,27 @@ void addFilter(Schedule& table, const Configuration& configuration, const QuellS
   }
 }
 
-Schedule makeSchedule(const Configuration& configuration, const QuellSettings& s) {
-  Schedule table;
-  addAccumulation(table, configuration, s);
+void addVariance(Schedule& table, const Configuration& configuration, const QuellSettings& s) {
   Variance::Setup variance{s.stops, s.temporalVarianceFrames, s.common.skip};
   variance.ofMean = true;
   variance.fireflyRatio = s.fireflyRatio;
   variance.momentsLeastWeight = s.momentsLeastWeight;
   variance.stopLuminance = s.prefilteredIterations > 0 || s.keepLight;
   add(table, Variance(configuration, variance));
-  addFilter(table, configuration, s);
+}
+
+Schedule makeSchedule(const Configuration& configuration, const QuellSettings& s) {
+  Schedule table;
+  addAccumulation(table, configuration, s);
+  const bool filters = s.iterations > 0, keepsLight = filters && s.keepLight;
   const std::string filtered = levelAfter(s.iterations).irradiance;
-  if (s.keepLight) addLightGain(table, configuration, filtered);
+  if (filters) {
+    addVariance(table, configuration, s);
+    addFilter(table, configuration, s);
+  }
+  if (keepsLight) addLightGain(table, configuration, filtered);
   addOutputStages(table, configuration, filtered, s.common.antialiasing, s.common.skip,
-                  BackgroundAntialiasing::IfJittered, s.keepLight);
+                  BackgroundAntialiasing::IfJittered, keepsLight);
   return table;
 }
 

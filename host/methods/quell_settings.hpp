@@ -49,7 +49,7 @@ inline SettingTable<QuellSettings> quellSettings() {
             sweep);
   table.add("changeMemory", &S::changeMemory, 0.4, {0.0, 0.99},
             "share of the frame before in the differences that are tested", sweep);
-  addIterations(table, &S::iterations);
+  addIterations(table, &S::iterations, 0);
   table.add("prefilteredIterations", &S::prefilteredIterations, 2, {0, 7},
             "first iterations whose stop compares luminance over 3x3 pixels instead of one, with a Gaussian "
             "fall-off",

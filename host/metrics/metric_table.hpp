@@ -38,7 +38,7 @@ struct Metric {
   bool meanOfSquares;   ///< over frames: the root of the mean of squares, signs kept; else the plain mean
   const char* standIn;  ///< key of the metric that takes its place where it cannot be had, or null
   Needs needs;
-  /// Null for what is measured over a sequence. NaN where the image is too small.
+  /// Null for what is measured over a sequence. NaN where there is no value, as for too small an image.
   double (*measure)(const Comparison& comparison);
 
   bool higherIsBetter() const { return best > 0.0; }

@@ -119,7 +119,7 @@ void MotionCompensatedErrorMeter::add(TrackedFrame frame) {
     requireComparable(*image, frame.encoded, "motion-compensated temporal error");
   requireChannels(frame.motion, 2, frame, "motion");
   requireChannels(frame.objectId, 1, frame, "objectId");
-  if (!m_last.encoded.empty()) {
+  if (!m_last.encoded.empty() && !frame.afterCut) {
     requireComparable(frame.encoded, m_last.encoded, "motion-compensated temporal error");
     if (m_last.objectId.empty()) frame.objectId = io::Image();
     for (int y = 0; y < frame.encoded.height; ++y) {

@@ -16,6 +16,7 @@ struct TrackedFrame {
   Camera camera;            ///< matrices of this frame and of the one before
   io::Image motion;         ///< 2 channels, pixels: previous pixel minus this one, x right, y down; optional
   io::Image objectId;       ///< 1 channel; optional
+  bool afterCut = false;    ///< the frame before is none of the same view
 };
 
 /// Largest distance between a surface point and the one found for it in the frame before, as a share of clip.w

@@ -1,5 +1,7 @@
 #include "host/metrics/report.hpp"
 
+#include <cmath>
+
 #include "host/metrics/display_encoding.hpp"
 #include "host/metrics/error.hpp"
 #include "host/metrics/flip.hpp"
@@ -15,6 +17,10 @@ io::Image displayed(const io::Image& image, bool isEncoded) {
 bool applies(const Metric& metric, const Comparison& comparison) {
   if (metric.needs == Needs::BothHalves) return !comparison.halfB.empty();
   return metric.needs != Needs::LinearImage || !comparison.linear.empty();
+}
+
+std::optional<double> numberOrNothing(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 }  // namespace
@@ -33,7 +39,7 @@ ErrorFigures compareToReference(const io::Image& image, bool imageIsEncoded, con
   }
   ErrorFigures figures;
   for (const Metric& metric : imageMetrics())
-    figures.values.push_back(applies(metric, comparison) ? std::optional(metric.measure(comparison))
+    figures.values.push_back(applies(metric, comparison) ? numberOrNothing(metric.measure(comparison))
                                                          : std::nullopt);
   return figures;
 }

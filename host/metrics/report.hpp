@@ -9,7 +9,8 @@
 
 namespace quell::metrics {
 
-/// The figures of one image, in the order of imageMetrics(); nothing where a metric does not apply.
+/// The figures of one image, in the order of imageMetrics(); nothing where a metric does not apply or
+/// has no value: of pixels that are not numbers, or of images too small for it.
 struct ErrorFigures {
   std::vector<std::optional<double>> values;
 

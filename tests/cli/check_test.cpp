@@ -55,19 +55,26 @@ TEST_CASE("doubtful and wrong frames have exit codes of their own, findings and 
   const TemporaryDirectory directory;
   const std::string frames = directory.file("frames"), json = directory.file("check.json");
   writePlane(frames, [](io::FrameData& frame) {
-    transpose(frame.camera.worldToClip);
-    transpose(frame.camera.worldToClipPrev);
+    for (float& value : frame.positionWorld.pixels) value *= 4.0f;
   });
   CHECK(quell({"check", frames, "--json", json, "--pictures", directory.file("pictures"), "--html",
                directory.file("check.html")}) == 2);
   const nlohmann::json finding = readJson(json)["findings"][0];
-  CHECK(finding["kind"] == "camera-transposed");
+  CHECK(finding["kind"] == "position-sum");
   CHECK(finding["severity"] == "wrong");
   CHECK(finding["frames"] == nlohmann::json({0, 1, 2}));
   CHECK(finding["pixels"].get<int>() > kPlaneWidth * kPlaneHeight / 2);
-  CHECK(io::readPng(directory.file("pictures/camera-transposed_0001.png")).width == 2 * kPlaneWidth);
+  CHECK(io::readPng(directory.file("pictures/position-sum_0001.png")).width == 2 * kPlaneWidth);
   CHECK_THAT(io::readFile(directory.file("check.html")),
-             Catch::Contains("camera-transposed") && Catch::Contains("data:image/png;base64,"));
+             Catch::Contains("position-sum") && Catch::Contains("data:image/png;base64,"));
+  // Read as meant, but said.
+  const std::string columns = directory.file("columns");
+  writePlane(columns, [](io::FrameData& frame) {
+    transpose(frame.camera.worldToClip);
+    transpose(frame.camera.worldToClipPrev);
+  });
+  CHECK(quell({"check", columns, "--json", json}) == 1);
+  CHECK(readJson(json)["findings"][0]["kind"] == "camera-convention");
   writePlane(directory.file("doubtful"), [](io::FrameData& frame) {
     for (float& value : frame.albedo.pixels) value = 0.0f;
   });

@@ -184,6 +184,13 @@ TEST_CASE("an orthographic camera agrees with plain projection and has no view r
   camera.worldToClipPrev = orthographic({5.0, 2.0, 9.0}, 4.0);
   CHECK(isOrthographic(camera.worldToClip));
   CHECK_FALSE(isOrthographic(perspective({0, 0, 0})));
+  for (const double left : {1e-20, 1e-9, -1e-8}) {
+    INFO(left);
+    Camera rounded = camera;
+    rounded.worldToClip[12] = left;
+    CHECK(isOrthographic(rounded.worldToClip));
+    CHECK_NOTHROW(makeReprojectionParams(rounded, kSize, {}, false));
+  }
   for (const Vector& point : kPoints) checkPoint(camera, add(point, {5, 2, 0}));
   const ReprojectionParams params = paramsOf(camera);
   for (const QuellFloat4& ray : {params.rayOrigin, params.rayX, params.rayY})

@@ -119,8 +119,9 @@ TEST_CASE("depth and a camera.json stand in for positions") {
   Passes passes = passesOf(original);
   passes.erase("Position");
   writeMultilayer(directory.file("0003.exr"), passes);
-  REQUIRE_THROWS_MATCHES(openSequence(directory.path()), Error,
-                         failsWith(ErrorCode::FileError, {"View Layer.Position", "camera.json"}));
+  REQUIRE_THROWS_MATCHES(
+      openSequence(directory.path()), Error,
+      failsWith(ErrorCode::FileError, {"View Layer.Position", "camera.json", "View Layer.DiffCol.RGB"}));
   const std::string matrix = matrixText(original.camera.worldToClip);
   writeTextFile(directory.file("camera.json"), "{\"frames\": [{\"frame\": 3, \"view_projection\": " + matrix +
                                                    ", \"previous_view_projection\": " + matrix + "}]}");
@@ -148,7 +149,8 @@ TEST_CASE("passes and layers that are missing are named") {
                          failsWith(ErrorCode::FileError, {"0007.exr", "View Layer.Normal"}));
   REQUIRE_THROWS_MATCHES(openWithout("Depth"), Error,
                          failsWith(ErrorCode::FileError, {"View Layer.Depth", "camera.json"}));
-  REQUIRE_THROWS_MATCHES(openWithout("Combined"), Error, failsWith(ErrorCode::FileError, {"multilayer"}));
+  REQUIRE_THROWS_MATCHES(openWithout("Combined"), Error,
+                         failsWith(ErrorCode::FileError, {"channels of color", "--channels color="}));
   for (const char* pass : {"DiffCol", "Emit", "Env"}) REQUIRE_NOTHROW(openWithout(pass)->read(7));
 
   Imf::Header header(kWidth, kHeight);
@@ -161,7 +163,13 @@ TEST_CASE("passes and layers that are missing are named") {
     file.writePixels(kHeight);
   }
   REQUIRE_THROWS_MATCHES(openSequence(path), Error,
-                         failsWith(ErrorCode::FileError, {"one view layer", "Back, Front"}));
+                         failsWith(ErrorCode::FileError, {"one view layer", "--layer", "Back, Front"}));
+  SequenceOptions options;
+  options.channels.layer = "Front";
+  REQUIRE(samePixels(openSequence(path, options)->read(7).radiance, all.at("Combined")));
+  options.channels.layer = "Middle";
+  REQUIRE_THROWS_MATCHES(openSequence(path, options), Error,
+                         failsWith(ErrorCode::FileError, {"view layer Middle", "Back, Front"}));
 }
 
 TEST_CASE("a frame from which no camera follows goes on with the last one, and says so") {

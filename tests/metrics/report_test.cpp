@@ -46,7 +46,7 @@ TEST_CASE("an encoded image is taken as it is and has no relMSE") {
 TEST_CASE("an image without room for an SSIM window still gets its other figures") {
   const ErrorFigures figures =
       compareToReference(constantImage(5, 40, 1.0f), false, constantImage(5, 40, 0.0f), Image());
-  REQUIRE(std::isnan(figures.at("ssim").value()));
+  REQUIRE_FALSE(figures.at("ssim").has_value());
   REQUIRE(figures.at("rmse").value() == 1.0);
 }
 

@@ -29,6 +29,8 @@ struct CheckOptions {
   std::string json;
   std::string pictures;
   std::string html;
+  std::string missing = "error";
+  io::ChannelOptions channels;
   int frameCount = 4;
 };
 
@@ -63,7 +65,11 @@ FindingSink pictureSink(const CheckOptions& options, Pngs& pngs) {
 }
 
 void runCheck(const CheckOptions& options) {
-  const std::unique_ptr<io::FrameSequence> sequence = io::openSequence(options.input);
+  io::SequenceOptions input(1,
+                            options.missing == "skip" ? io::MissingFrames::Skip : io::MissingFrames::Refuse);
+  input.channels = options.channels;
+  const std::unique_ptr<io::FrameSequence> sequence = io::openSequence(options.input, input);
+  for (const std::string& line : sequence->describeChannels()) fmt::print("{}\n", line);
   Pngs pngs;
   const SequenceCheck check =
       checkSequence(*sequence, chooseFrames(options, *sequence), pictureSink(options, pngs));
@@ -99,6 +105,12 @@ void addCheckCommand(CLI::App& app) {
   command->add_option("--frame-count", options->frameCount, "How many of the first frames")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command
+      ->add_option("--missing", options->missing,
+                   "Frames missing in between: error, or skip, which goes on after a gap as after a cut")
+      ->check(CLI::IsMember({"error", "skip"}))
+      ->capture_default_str();
+  addChannelOptions(*command, options->channels);
   command->add_option("--json", options->json, "Write figures and findings to this file as JSON")
       ->type_name("FILE");
   command

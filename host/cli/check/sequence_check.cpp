@@ -39,6 +39,11 @@ void addFinding(SequenceCheck& all, const Finding& finding, const std::string& f
   if (known->frames.back() != frame) known->frames.push_back(frame);
 }
 
+const char* imageOf(const io::FrameWarning& warning) {
+  using Kind = io::FrameWarning::Kind;
+  return warning.kind == Kind::Camera || warning.kind == Kind::CameraConvention ? "camera" : "radiance";
+}
+
 check::Result checkOne(const io::FrameSequence& sequence, const io::FrameData& frame,
                        const std::optional<io::FrameData>& before) {
   const check::Frame now = viewOf(frame);
@@ -46,8 +51,8 @@ check::Result checkOne(const io::FrameSequence& sequence, const io::FrameData& f
   if (before) last = viewOf(*before);
   check::Result result = check::checkFrame(now, before ? &last : nullptr);
   for (const io::FrameWarning& warning : frame.warnings)
-    result.add(
-        {kindOf(warning), Severity::Doubtful, "camera", warning.expected, warning.got, warning.remedy, 0});
+    result.add({kindOf(warning), Severity::Doubtful, imageOf(warning), warning.expected, warning.got,
+                warning.remedy, 0});
   for (const auto kind : {io::ReferenceKind::Centre, io::ReferenceKind::Antialiased}) {
     if (!sequence.hasReference(frame.number, kind) || !frame.comparable()) continue;
     const io::Reference reference = sequence.reference(frame.number, kind);

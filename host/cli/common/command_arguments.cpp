@@ -34,6 +34,15 @@ std::pair<int, int> parsePair(const char* command, const char* option, const std
   }
 }
 
+std::pair<int, int> parseFrameRange(const char* command, const std::string& text) {
+  const bool colon = text.find(':') != std::string::npos || text.find('-') == 0;
+  return parsePair(command, "--frames", text, colon ? ':' : '-', "a range such as 0-15 or -2:1");
+}
+
+std::string frameRangeText(int first, int last) {
+  return fmt::format("{}{}{}", first, first < 0 ? ':' : '-', last);
+}
+
 Size parseSize(const char* command, const std::string& text) {
   const auto [width, height] = parsePair(command, "--size", text, 'x', "a size such as 1280x720");
   return {width, height};
@@ -103,6 +112,25 @@ void addSignalsOption(CLI::App& command, int& signals) {
   command.add_option("--signals", signals, "1, or 2: diffuse and glossy light side by side")
       ->check(CLI::Range(1, 2))
       ->capture_default_str();
+}
+
+void addChannelOptions(CLI::App& command, io::ChannelOptions& channels) {
+  std::vector<std::string> images, renderers = io::rendererNames();
+  for (const io::NamedImage& image : io::namedImages()) images.emplace_back(image.name);
+  renderers.insert(renderers.begin(), channels.renderer);
+  command
+      .add_option("--channels", channels.channels,
+                  fmt::format("Channels of an image where no renderer's names fit: color=R,G,B normal=N "
+                              "depth=dist:ray emission=Emit+Env; images are {}",
+                              fmt::join(images, ", ")))
+      ->type_name("IMAGE=NAME");
+  command
+      .add_option("--renderer", channels.renderer, "Whose names of channels; auto: those that explain most")
+      ->check(CLI::IsMember(renderers))
+      ->capture_default_str();
+  command.add_option("--layer", channels.layer, "View layer, or what stands before the passes' names")
+      ->type_name("NAME");
+  command.add_option("--view", channels.view, "View of stereo pictures, such as left")->type_name("NAME");
 }
 
 void addMotionOption(CLI::App& command, std::string& motion) {

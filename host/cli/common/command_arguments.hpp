@@ -23,6 +23,12 @@ bool isRefusal(const Error& error);
 std::pair<int, int> parsePair(const char* command, const char* option, const std::string& text,
                               char separator, const char* expected);
 
+/// "A-B" as the frames of --frames, or "A:B" where one of them is negative; a single number stands for both. Throws
+/// Error(InvalidArgument).
+std::pair<int, int> parseFrameRange(const char* command, const std::string& text);
+/// The same as text.
+std::string frameRangeText(int first, int last);
+
 /// "1280x720". Only the form is checked, not the range. Throws Error(InvalidArgument).
 Size parseSize(const char* command, const std::string& text);
 
@@ -60,6 +66,9 @@ Settings applyMethodArguments(const char* command, const MethodArguments& argume
 
 /// --signals: 1, or 2 for diffuse and glossy light side by side. `signals` must live as long as `command`.
 void addSignalsOption(CLI::App& command, int& signals);
+
+/// --channels, --renderer, --layer and --view. `channels` must live as long as `command`.
+void addChannelOptions(CLI::App& command, io::ChannelOptions& channels);
 
 /// --motion: auto, or off. `motion` must live as long as `command`.
 void addMotionOption(CLI::App& command, std::string& motion);

@@ -134,7 +134,8 @@ metrics::TrackedFrame trackFrame(const io::FrameData& frame, const DenoisedFrame
           frame.positionWorld,
           frame.camera,
           frame.motion,
-          frame.objectId};
+          frame.objectId,
+          frame.afterGap};
 }
 
 StageTimings sumOfStages(const Timings& timings) {

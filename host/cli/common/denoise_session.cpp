@@ -62,7 +62,7 @@ class DenoiseSession::Implementation {
   void run(const io::FrameData& data) {
     for (const InputImage& input : m_inputs) upload(data.*input.source, m_frame.*input.view, data);
     m_frame.camera = data.camera;
-    if (data.repeatsNoise) m_denoiser.resetHistory();
+    if (data.repeatsNoise || data.afterGap) m_denoiser.resetHistory();
     const Event done = m_denoiser.denoise(m_frame, m_output);
     done.wait();
   }

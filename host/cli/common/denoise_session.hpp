@@ -28,7 +28,8 @@ class DenoiseSession {
                  const io::FrameData& example, MotionUse motion = MotionUse::WherePresent);
   ~DenoiseSession();
 
-  /// Uploads, denoises and downloads; blocks. A frame that repeats noise is denoised without history.
+  /// Uploads, denoises and downloads; blocks. A frame that repeats noise or follows a gap is denoised
+  /// without history.
   DenoisedFrame denoise(const io::FrameData& frame);
   /// Uploads and denoises, but leaves the outputs on the device; blocks. For timing.
   void run(const io::FrameData& frame);

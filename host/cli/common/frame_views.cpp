@@ -21,7 +21,17 @@ check::Frame viewOf(const io::FrameData& frame) {
 }
 
 std::string kindOf(const io::FrameWarning& warning) {
-  return warning.kind == io::FrameWarning::Kind::Camera ? "camera-unknown" : "unusual-file";
+  switch (warning.kind) {
+    case io::FrameWarning::Kind::CameraConvention:
+      return "camera-convention";
+    case io::FrameWarning::Kind::MissingFrames:
+      return "frames-missing";
+    case io::FrameWarning::Kind::Windows:
+      return "windows-differ";
+    case io::FrameWarning::Kind::Camera:
+      break;
+  }
+  return "camera-unknown";
 }
 
 std::string fileOfImage(const io::FrameSequence& sequence, int frame, const std::string& image) {

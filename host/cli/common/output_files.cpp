@@ -30,13 +30,13 @@ std::vector<std::string> planeNames(int planes) {
   return names;
 }
 
-void writePicture(const std::string& path, const io::Image& picture, const io::Image& alpha,
+void writePicture(const std::string& path, const io::Image& picture, const io::FrameData& frame,
                   io::ExrType samples) {
-  if (alpha.empty()) return io::writeExr(path, picture, samples);
+  if (frame.alpha.empty()) return io::writeExr(path, picture, {"R", "G", "B"}, samples, frame.origin);
   io::Image image(picture.width, picture.height, 4);
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    image.pixels[i] = i % 4 == 3 ? alpha.pixels[i / 4] : picture.pixels[i / 4 * 3 + i % 4];
-  io::writeExr(path, image, {"R", "G", "B", "A"}, samples);
+    image.pixels[i] = i % 4 == 3 ? frame.alpha.pixels[i / 4] : picture.pixels[i / 4 * 3 + i % 4];
+  io::writeExr(path, image, {"R", "G", "B", "A"}, samples, frame.origin);
 }
 
 }  // namespace
@@ -55,14 +55,21 @@ OutputFiles::OutputFiles(std::string directory, OutputFormats formats)
 }
 
 std::string OutputFiles::path(const std::string& prefix, int frame, const char* extension) const {
-  return (std::filesystem::path(m_directory) / fmt::format("{}_{:04d}.{}", prefix, frame, extension))
+  return (std::filesystem::path(m_directory) /
+          fmt::format("{}_{}.{}", prefix, io::paddedFrame(frame), extension))
       .string();
 }
 
-void OutputFiles::write(int frame, const DenoisedFrame& denoised, const io::Image& alpha) const {
-  writePicture(path("denoised", frame, "exr"), denoised.linear, alpha, m_formats.samples);
-  if (m_formats.png) io::writePng(path("display", frame, "png"), denoised.display);
-  if (m_formats.exr) writePicture(path("display", frame, "exr"), denoised.display, alpha, m_formats.samples);
+void OutputFiles::write(const io::FrameData& frame, const DenoisedFrame& denoised) const {
+  writePicture(path("denoised", frame.number, "exr"), denoised.linear, frame, m_formats.samples);
+  if (m_formats.png) io::writePng(path("display", frame.number, "png"), denoised.display);
+  if (m_formats.exr)
+    writePicture(path("display", frame.number, "exr"), denoised.display, frame, m_formats.samples);
+}
+
+void OutputFiles::writeLinear(const std::string& prefix, const io::FrameData& frame,
+                              const io::Image& picture) const {
+  writePicture(path(prefix, frame.number, "exr"), picture, frame, m_formats.samples);
 }
 
 void OutputFiles::writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,

@@ -36,9 +36,12 @@ class OutputFiles {
   /// Creates the directory. Throws Error(FileError).
   OutputFiles(std::string directory, OutputFormats formats);
 
-  /// denoised_%04d.exr (linear, before tone map and TAA, ZIP) and the display image in the chosen formats. `alpha` (1
-  /// channel, or empty) goes into the OpenEXR files as it is.
-  void write(int frame, const DenoisedFrame& denoised, const io::Image& alpha) const;
+  /// denoised_%04d.exr (linear, before tone map and TAA, ZIP) and the display image in the chosen formats. The OpenEXR
+  /// files have the alpha, the windows and the attributes of the frame's colour.
+  void write(const io::FrameData& frame, const DenoisedFrame& denoised) const;
+
+  /// PREFIX_%04d.exr: a linear picture of the frame, 3 channels, as denoised_%04d.exr is written.
+  void writeLinear(const std::string& prefix, const io::FrameData& frame, const io::Image& picture) const;
 
   /// comparison_%04d.png: noisy | denoised | reference, side by side.
   void writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,
@@ -50,9 +53,12 @@ class OutputFiles {
   /// tiles_%04d.png: the display image, darkened where `map` says that nothing was filtered.
   void writeTiles(int frame, const DenoisedFrame& denoised, const BackgroundMap& map) const;
 
- private:
+  /// PREFIX_%04d.EXTENSION in the directory.
   std::string path(const std::string& prefix, int frame, const char* extension) const;
+  /// Of linear pictures.
+  io::ExrType samples() const { return m_formats.samples; }
 
+ private:
   std::string m_directory;
   OutputFormats m_formats;
 };

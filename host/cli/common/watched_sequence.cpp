@@ -38,6 +38,7 @@ class WatchedSequence final : public io::FrameSequence {
     if (!m_jittered) m_jittered = m_sequence->jittered() || showsJitter();
     return *m_jittered;
   }
+  std::vector<std::string> describeChannels() const override { return m_sequence->describeChannels(); }
   std::optional<io::HistoryLimits> historyLimits() const override { return m_sequence->historyLimits(); }
 
   io::FrameData read(int frame) const override {
@@ -86,8 +87,8 @@ class WatchedSequence final : public io::FrameSequence {
 
 }  // namespace
 
-std::unique_ptr<io::FrameSequence> openWatched(const std::string& path, int signals) {
-  return std::make_unique<WatchedSequence>(io::openSequence(path, signals));
+std::unique_ptr<io::FrameSequence> openWatched(const std::string& path, const io::SequenceOptions& options) {
+  return std::make_unique<WatchedSequence>(io::openSequence(path, options));
 }
 
 }  // namespace quell::cli

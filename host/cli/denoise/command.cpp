@@ -16,6 +16,7 @@
 #include "host/cli/common/output_files.hpp"
 #include "host/cli/common/progress.hpp"
 #include "host/cli/common/watched_sequence.hpp"
+#include "host/cli/denoise/further_outputs.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/frame_sequence.hpp"
 
@@ -31,11 +32,13 @@ struct DenoiseOptions {
   std::string input;
   std::string output;
   std::string frames;
+  std::string missing = "error";
   std::string size = "1280x720";
   std::string timers = "device";
   std::string motion = "auto";
   std::string json;
   std::vector<std::string> dump;
+  io::ChannelOptions channels;
   DeviceArguments device;
   int analyticFrames = 16;
   int signals = 1;
@@ -45,11 +48,19 @@ struct DenoiseOptions {
   bool png = false;
   bool exr = false;
   bool floats = false;
+  FurtherOutputs further;
   bool copyBandwidth = false;
 };
 
+io::SequenceOptions sequenceOptions(const DenoiseOptions& options) {
+  io::SequenceOptions sequence(
+      options.signals, options.missing == "skip" ? io::MissingFrames::Skip : io::MissingFrames::Refuse);
+  sequence.channels = options.channels;
+  return sequence;
+}
+
 std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
-  if (!options.input.empty()) return openWatched(options.input, options.signals);
+  if (!options.input.empty()) return openWatched(options.input, sequenceOptions(options));
   if (options.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
   const Size size = parseSize(kCommand, options.size);
   io::AnalyticOptions analytic;
@@ -64,13 +75,14 @@ std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
 std::vector<int> chooseFrames(const DenoiseOptions& options, const io::FrameSequence& sequence) {
   std::vector<int> frames = sequence.frames();
   if (options.frames.empty()) return frames;
-  const auto [first, last] = parsePair(kCommand, "--frames", options.frames, '-', "a range such as 0-15");
-  const std::string present = fmt::format("a range within {}-{}", frames.front(), frames.back());
+  const auto [first, last] = parseFrameRange(kCommand, options.frames);
+  const std::string present = fmt::format("a range within {}", frameRangeText(frames.front(), frames.back()));
   if (first > last || first < frames.front() || last > frames.back())
     refuse(kCommand, "--frames", present, options.frames);
   frames.erase(
       std::remove_if(frames.begin(), frames.end(), [a = first, b = last](int f) { return f < a || f > b; }),
       frames.end());
+  if (frames.empty()) refuse(kCommand, "--frames", "frames that are not missing", options.frames);
   return frames;
 }
 
@@ -82,16 +94,34 @@ TimerMode timerMode(const std::string& name) {
 std::unique_ptr<OutputFiles> openOutput(const DenoiseOptions& options) {
   if (options.output.empty() && (options.debugTiles || !options.dump.empty()))
     refuse(kCommand, options.debugTiles ? "--debug tiles" : "--dump", "--output as well", "none");
+  if (options.output.empty() && options.further.any())
+    refuse(kCommand, "--pfm, --accumulated or --multilayer", "--output as well", "none");
+  if (options.input.empty() && options.further.multilayer)
+    refuse(kCommand, "--multilayer", "--input as well", "the built-in sequence");
   if (options.output.empty()) return nullptr;
   return std::make_unique<OutputFiles>(
       options.output, OutputFormats{options.png || !options.exr, options.exr,
                                     options.floats ? io::ExrType::Float : io::ExrType::Half});
 }
 
+/// Null where there is nothing further to write.
+std::unique_ptr<FurtherOutputWriter> openFurther(const io::FrameSequence& sequence,
+                                                 const DenoiseOptions& options, const Settings& settings,
+                                                 int firstFrame, const OutputFiles* files) {
+  if (files == nullptr || !options.further.any()) return nullptr;
+  std::unique_ptr<DenoiseSession> accumulation;
+  if (options.further.accumulated)
+    accumulation = std::make_unique<DenoiseSession>(
+        options.device.device, accumulationSettings(settings, sequence),
+        makeOptions(options.device, TimerMode::Off), sequence.read(firstFrame), motionUse(options.motion));
+  return std::make_unique<FurtherOutputWriter>(options.further, *files, sequence, options.signals,
+                                               std::move(accumulation));
+}
+
 // Denoises the frames, writes what there is to write of each, and fills the report's frames, errors and hash.
 void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& frames,
                    const DenoiseOptions& options, DenoiseSession& session, const OutputFiles* files,
-                   DenoiseReport& report) {
+                   FurtherOutputWriter* further, DenoiseReport& report) {
   OutputHash hash;
   metrics::MotionCompensatedErrorMeter flicker;
   io::References references(sequence);
@@ -102,7 +132,8 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
     hash.add(denoised.linear);
     hash.add(denoised.display);
     flicker.add(trackFrame(frame, denoised));
-    if (files != nullptr) files->write(number, denoised, frame.alpha);
+    if (files != nullptr) files->write(frame, denoised);
+    if (further != nullptr) further->write(frame, denoised);
     for (const std::string& name : options.dump)
       files->writeBuffer(number, session.denoiser().readBuffer(name));
     if (options.debugTiles) files->writeTiles(number, denoised, session.denoiser().backgroundMap());
@@ -120,6 +151,7 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
 void runDenoise(const DenoiseOptions& options) {
   const std::unique_ptr<io::FrameSequence> sequence = openInput(options);
   const std::vector<int> frames = chooseFrames(options, *sequence);
+  for (const std::string& line : sequence->describeChannels()) fmt::print("{}\n", line);
   const Settings settings =
       applyMethodArguments(kCommand, options.method, defaultSettings(options.method.method, *sequence));
   const bool list = options.dump == std::vector<std::string>{kList};
@@ -136,7 +168,8 @@ void runDenoise(const DenoiseOptions& options) {
   report.device = session.device();
   report.settings = settings;
   report.size = {sequence->width(), sequence->height()};
-  denoiseFrames(*sequence, frames, options, session, files.get(), report);
+  const auto further = openFurther(*sequence, options, settings, frames.front(), files.get());
+  denoiseFrames(*sequence, frames, options, session, files.get(), further.get(), report);
   report.memory = session.denoiser().memoryUse();
   if (options.timers != "off") report.timings = session.timings();
   if (options.copyBandwidth) {
@@ -149,21 +182,31 @@ void runDenoise(const DenoiseOptions& options) {
   if (files) fmt::print("\npictures and frames are in {}\n", options.output);
 }
 
-}  // namespace
+void addFurtherOptions(CLI::App* command, FurtherOutputs& further) {
+  command->add_flag("--pfm", further.pfm, "Write denoised_NNNN.pfm as well");
+  command->add_flag(
+      "--accumulated", further.accumulated,
+      "Write accumulated_NNNN.exr as well: linear, the history of the method quell before its filter, "
+      "for denoisers that look at one frame alone");
+  command->add_flag("--multilayer", further.multilayer,
+                    "Write multilayer_NNNN.exr as well: all that was read, with the pass Denoised beside it");
+}
 
-void addDenoiseCommand(CLI::App& app) {
-  auto options = std::make_shared<DenoiseOptions>();
-  CLI::App* command = app.add_subcommand("denoise", "Denoise a frame sequence and report time and error");
-  addMethodArguments(*command, options->method);
-  command->add_option(
-      "--input", options->input,
-      "Directory with a sequence (see data/README.md), or a multilayer OpenEXR file as Blender's Cycles "
-      "writes it, "
-      "or a directory of these; without it a built-in sequence is made up. Multilayer files need the passes "
-      "Combined and Normal, and both of Position and Depth, or one of them and camera.json");
-  command->add_option("--output", options->output,
-                      "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
-  command->add_option("--frames", options->frames, "Frames A-B; default: all");
+void addInputOptions(CLI::App* command, const std::shared_ptr<DenoiseOptions>& options) {
+  command->add_option("--input", options->input,
+                      "OpenEXR files as a renderer writes them: one file, a directory, or names as "
+                      "shot_####.exr, shot_%04d.exr "
+                      "or a quoted glob (docs/frames-from-my-renderer.md), or a sequence in the layout of "
+                      "data/README.md; without "
+                      "it a built-in sequence is made up. Files of renderers need colour, normal, and both "
+                      "of position and depth, "
+                      "or one of them and a camera");
+  command->add_option("--frames", options->frames, "Frames A-B (A:B where one is negative); default: all");
+  command
+      ->add_option("--missing", options->missing,
+                   "Frames missing in between: error, or skip, which goes on after a gap as after a cut")
+      ->check(CLI::IsMember({"error", "skip"}))
+      ->capture_default_str();
   command->add_option("--size", options->size, "Size of the built-in sequence")->capture_default_str();
   command->add_option("--frame-count", options->analyticFrames, "Length of the built-in sequence")
       ->check(CLI::PositiveNumber)
@@ -173,7 +216,19 @@ void addDenoiseCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--still-camera", options->stillCamera,
                     "The camera of the built-in sequence stands still");
+}
+
+}  // namespace
+
+void addDenoiseCommand(CLI::App& app) {
+  auto options = std::make_shared<DenoiseOptions>();
+  CLI::App* command = app.add_subcommand("denoise", "Denoise a frame sequence and report time and error");
+  addMethodArguments(*command, options->method);
+  addInputOptions(command, options);
+  command->add_option("--output", options->output,
+                      "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
   addSignalsOption(*command, options->signals);
+  addChannelOptions(*command, options->channels);
   addMotionOption(*command, options->motion);
   command->add_option("--timers", options->timers, "Where stage times come from")
       ->check(CLI::IsMember({"device", "host", "off"}))
@@ -194,6 +249,7 @@ void addDenoiseCommand(CLI::App& app) {
   command->add_flag("--exr", options->exr, "Write display images as OpenEXR");
   command->add_flag("--float", options->floats,
                     "Write OpenEXR files as 32-bit floats; default: half, 6e-8 to 65504");
+  addFurtherOptions(command, options->further);
   command->add_flag("--copy-bandwidth", options->copyBandwidth,
                     "Also measure the device's copy bandwidth and report times in copies");
   command->footer(settingsHelp("--set"));
