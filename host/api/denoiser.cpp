@@ -27,6 +27,10 @@ Event Denoiser::denoise(const Frame& frame, const Output& output, const std::vec
   return withClErrors("denoise", [&] { return m_implementation->denoise(frame, output, waitList); });
 }
 
+FrameCheck Denoiser::checkFrame(const Frame& frame, const std::vector<cl_event>& waitList) {
+  return withClErrors("checkFrame", [&] { return m_implementation->checkFrame(frame, waitList); });
+}
+
 void Denoiser::resetHistory() { m_implementation->resetHistory(); }
 std::vector<std::string> Denoiser::bufferNames() const { return m_implementation->bufferNames(); }
 BufferContent Denoiser::readBuffer(const std::string& name) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/api/frame_checker.hpp"
 #include "host/core/event_keeper.hpp"
 #include "host/core/frame_timer.hpp"
 #include "host/core/pipeline.hpp"
@@ -21,7 +22,11 @@ class Denoiser::Implementation {
 
   void prepare(const Frame& frame, const Output& output);
   Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList);
-  void resetHistory() { m_frameIndex = 0; }
+  FrameCheck checkFrame(const Frame& frame, const std::vector<cl_event>& waitList);
+  void resetHistory() {
+    m_frameIndex = 0;
+    m_checker.forget();
+  }
 
   MemoryUse memoryUse() const { return m_pipeline.buffers().memoryUse(); }
   std::vector<std::string> bufferNames() const;
@@ -55,6 +60,7 @@ class Denoiser::Implementation {
   Frame m_latestFrame;  // layouts and camera
   cl::Event m_lastEvent;
   EventKeeper m_events;  // of frames that may still be pending
+  FrameChecker m_checker;
   std::uint32_t m_frameIndex = 0;
   bool m_outOfOrder = false;
   bool m_prepared = false;

@@ -3,6 +3,8 @@
 
 #include "host/api/denoiser_implementation.hpp"
 #include "host/core/buffer_reader.hpp"
+#include "host/core/handle_checks.hpp"
+#include "host/core/validation.hpp"
 #include "kernels/common/guides.h"
 
 namespace quell {
@@ -75,6 +77,11 @@ BackgroundMap Denoiser::Implementation::backgroundMap() const {
   map.background = m_pipeline.surfaces(m_queue);
   for (std::uint8_t& flag : map.background) flag = flag == 0 ? 1 : 0;
   return map;
+}
+
+FrameCheck Denoiser::Implementation::checkFrame(const Frame& frame, const std::vector<cl_event>& waitList) {
+  checkInputs("checkFrame", frame, m_context());
+  return m_checker.check(m_queue, frame, checkedEvents(waitList, m_context));
 }
 
 std::vector<std::string> Denoiser::Implementation::bufferNames() const {

@@ -91,6 +91,12 @@ void require(const void* pointer, const char* function, const char* argument) {
   if (pointer == nullptr) throw Error(ErrorCode::InvalidArgument, {function, argument, "a pointer", "NULL"});
 }
 
+std::vector<cl_event> toEvents(cl_uint count, const cl_event* waitList, const char* function) {
+  if (count == 0) return {};
+  require(waitList, function, "waitList");
+  return {waitList, waitList + count};
+}
+
 void requireIndex(std::size_t index, std::size_t count, const char* function, const char* argument) {
   if (index < count) return;
   throw Error(ErrorCode::InvalidArgument,

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <quell/error.hpp>
 #include <string>
+#include <vector>
 
 namespace quell::c_api {
 
@@ -32,6 +33,9 @@ quell_status guarded(const char* function, Body&& body) noexcept {
 void require(const void* pointer, const char* function, const char* argument);
 /// Throws Error(InvalidArgument) unless index < count.
 void requireIndex(std::size_t index, std::size_t count, const char* function, const char* argument);
+
+/// A wait list as C++ has it. Throws Error(InvalidArgument) for events without a list.
+std::vector<cl_event> toEvents(cl_uint count, const cl_event* waitList, const char* function);
 
 [[noreturn]] void refuseStructSize(const char* function, const char* argument, std::size_t expected,
                                    std::size_t got);

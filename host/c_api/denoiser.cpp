@@ -10,12 +10,6 @@
 namespace quell::c_api {
 namespace {
 
-std::vector<cl_event> toEvents(cl_uint count, const cl_event* waitList, const char* function) {
-  if (count == 0) return {};
-  require(waitList, function, "waitList");
-  return {waitList, waitList + count};
-}
-
 quell_time_statistics toC(const TimeStatistics& time) {
   return {time.count, time.medianMs, time.meanMs, time.minMs, time.maxMs};
 }
@@ -46,7 +40,7 @@ quell_status quellCreateDenoiser(cl_context context, cl_device_id device, cl_com
     require(denoiser, "quellCreateDenoiser", "denoiser");
     quell::Denoiser made(context, device, queue, settings == nullptr ? quell::Settings() : settings->settings,
                          toOptions(options, "quellCreateDenoiser"));
-    *denoiser = new quell_denoiser{std::move(made), {}, {}};
+    *denoiser = new quell_denoiser{std::move(made), {}, {}, {}, {}};
   });
 }
 

@@ -6,6 +6,7 @@
 #include <quell/denoiser.hpp>
 #include <quell/settings.hpp>
 #include <string>
+#include <vector>
 
 struct quell_settings {
   quell::Settings settings;
@@ -14,6 +15,8 @@ struct quell_settings {
 
 struct quell_denoiser {
   quell::Denoiser denoiser;
-  quell::MemoryUse memory;  // as of quellGetMemoryUse
-  quell::Timings timings;   // as of quellGetTimings
+  quell::MemoryUse memory;                  // as of quellGetMemoryUse
+  quell::Timings timings;                   // as of quellGetTimings
+  quell::FrameCheck check;                  // as of quellCheckFrame
+  std::vector<std::string> sentences = {};  // of its findings
 };

@@ -14,6 +14,7 @@ int runTool(int argc, const char* const* argv) {
   CLI::App app{"Quell removes the noise from path-traced frame sequences on any OpenCL device.", "quell"};
   app.require_subcommand(1);
   addDenoiseCommand(app);
+  addCheckCommand(app);
   addCompareCommand(app);
   addBenchCommand(app);
   addDevicesCommand(app);

@@ -46,10 +46,10 @@ std::vector<NamedView> namedViews(const Frame& frame, const Output& output) {
 
 std::string sizeText(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
-void checkSize(Size size) {
+void checkSize(const char* function, Size size) {
   if (size.width < 1 || size.height < 1 || size.width > kMostExtent || size.height > kMostExtent ||
       std::int64_t{size.width} * size.height > kMostPixels) {
-    refuse(kPrepare, ErrorCode::InvalidArgument, "size",
+    refuse(function, ErrorCode::InvalidArgument, "size",
            "1x1 to " + std::to_string(kMostExtent) + "x" + std::to_string(kMostExtent) + " and at most " +
                std::to_string(kMostPixels) + " pixels",
            sizeText(size));
@@ -115,27 +115,53 @@ std::string layoutText(const ImageView& view, int width) {
 }
 
 template <class Value>
-Value memoryInfo(const NamedView& named, cl_mem_info what) {
+Value memoryInfo(const char* function, const NamedView& named, cl_mem_info what) {
   Value value{};
   const cl_int status = clGetMemObjectInfo(named.view->memory, what, sizeof(value), &value, nullptr);
   if (status != CL_SUCCESS)
-    refuse(kDenoise, ErrorCode::InvalidArgument, named.name, "a valid buffer object", clErrorName(status));
+    refuse(function, ErrorCode::InvalidArgument, named.name, "a valid buffer object", clErrorName(status));
   return value;
+}
+
+void checkMemory(const char* function, const NamedView& named, Size size, cl_context context) {
+  if (named.view->memory == nullptr)
+    refuse(function, ErrorCode::InvalidArgument, named.name, "a buffer object", "null");
+  if (memoryInfo<cl_mem_object_type>(function, named, CL_MEM_TYPE) != CL_MEM_OBJECT_BUFFER)
+    refuse(function, ErrorCode::InvalidArgument, named.name, "a buffer object",
+           "another kind of memory object");
+  if (memoryInfo<cl_context>(function, named, CL_MEM_CONTEXT) != context)
+    refuse(function, ErrorCode::WrongContext, named.name, "a buffer of the denoiser's context",
+           "one of another context");
+  const cl_mem_flags unusable = named.output ? CL_MEM_READ_ONLY : CL_MEM_WRITE_ONLY;
+  if ((memoryInfo<cl_mem_flags>(function, named, CL_MEM_FLAGS) & unusable) != 0) {
+    refuse(function, ErrorCode::InvalidArgument, named.name,
+           named.output ? "a writable buffer" : "a readable buffer",
+           named.output ? "CL_MEM_READ_ONLY" : "CL_MEM_WRITE_ONLY");
+  }
+  const std::size_t bytes = memoryInfo<std::size_t>(function, named, CL_MEM_SIZE);
+  if (bytes < named.view->requiredBytes(size)) {
+    refuse(function, ErrorCode::InvalidArgument, named.name,
+           "at least " + std::to_string(named.view->requiredBytes(size)) + " bytes for " + sizeText(size),
+           std::to_string(bytes) + " bytes");
+  }
+}
+
+void checkLayouts(const char* function, const Frame& frame, const std::vector<NamedView>& views) {
+  checkSize(function, frame.size);
+  for (const NamedView& named : views) checkView(function, named, frame.size);
+  for (const NamedView& named : views)
+    if (named.facts->required() && !named.view->present())
+      refuse(function, ErrorCode::InvalidArgument, named.name, "an image", "none");
+  if (frame.positionWorld.present() == frame.viewDepth.present()) {
+    refuse(function, ErrorCode::InvalidArgument, "positionWorld", "either positionWorld or viewDepth",
+           frame.positionWorld.present() ? "both" : "none");
+  }
 }
 
 }  // namespace
 
 void checkLayout(const Frame& frame, const Output& output) {
-  checkSize(frame.size);
-  const std::vector<NamedView> views = namedViews(frame, output);
-  for (const NamedView& named : views) checkView(kPrepare, named, frame.size);
-  for (const NamedView& named : views)
-    if (named.facts->required() && !named.view->present())
-      refuse(kPrepare, ErrorCode::InvalidArgument, named.name, "an image", "none");
-  if (frame.positionWorld.present() == frame.viewDepth.present()) {
-    refuse(kPrepare, ErrorCode::InvalidArgument, "positionWorld", "either positionWorld or viewDepth",
-           frame.positionWorld.present() ? "both" : "none");
-  }
+  checkLayouts(kPrepare, frame, namedViews(frame, output));
   if (!output.linear.present() && !output.display.present())
     refuse(kPrepare, ErrorCode::InvalidArgument, "output", "a linear or a display image", "none");
 }
@@ -163,30 +189,16 @@ void checkSameLayout(const Frame& prepared, const Output& preparedOutput, const 
 }
 
 void checkMemory(const Frame& frame, const Output& output, cl_context context) {
-  for (const NamedView& named : namedViews(frame, output)) {
-    if (!named.view->present()) continue;
-    if (named.view->memory == nullptr)
-      refuse(kDenoise, ErrorCode::InvalidArgument, named.name, "a buffer object", "null");
-    if (memoryInfo<cl_mem_object_type>(named, CL_MEM_TYPE) != CL_MEM_OBJECT_BUFFER)
-      refuse(kDenoise, ErrorCode::InvalidArgument, named.name, "a buffer object",
-             "another kind of memory object");
-    if (memoryInfo<cl_context>(named, CL_MEM_CONTEXT) != context)
-      refuse(kDenoise, ErrorCode::WrongContext, named.name, "a buffer of the denoiser's context",
-             "one of another context");
-    const cl_mem_flags unusable = named.output ? CL_MEM_READ_ONLY : CL_MEM_WRITE_ONLY;
-    if ((memoryInfo<cl_mem_flags>(named, CL_MEM_FLAGS) & unusable) != 0) {
-      refuse(kDenoise, ErrorCode::InvalidArgument, named.name,
-             named.output ? "a writable buffer" : "a readable buffer",
-             named.output ? "CL_MEM_READ_ONLY" : "CL_MEM_WRITE_ONLY");
-    }
-    const std::size_t bytes = memoryInfo<std::size_t>(named, CL_MEM_SIZE);
-    if (bytes < named.view->requiredBytes(frame.size)) {
-      refuse(kDenoise, ErrorCode::InvalidArgument, named.name,
-             "at least " + std::to_string(named.view->requiredBytes(frame.size)) + " bytes for " +
-                 sizeText(frame.size),
-             std::to_string(bytes) + " bytes");
-    }
-  }
+  for (const NamedView& named : namedViews(frame, output))
+    if (named.view->present()) checkMemory(kDenoise, named, frame.size, context);
+}
+
+void checkInputs(const char* function, const Frame& frame, cl_context context) {
+  const Output none;
+  const std::vector<NamedView> views = namedViews(frame, none);
+  checkLayouts(function, frame, views);
+  for (const NamedView& named : views)
+    if (named.view->present()) checkMemory(function, named, frame.size, context);
 }
 
 void checkHalfPositions(const Frame& frame) {

@@ -19,6 +19,9 @@ void checkSameLayout(const Frame& prepared, const Output& preparedOutput, const 
 /// Throws Error(InvalidArgument) or Error(WrongContext).
 void checkMemory(const Frame& frame, const Output& output, cl_context context);
 
+/// The layouts and the memory of the inputs alone, for `function`, which the caller called. Throws as above.
+void checkInputs(const char* function, const Frame& frame, cl_context context);
+
 /// Half positions are refused far from the world origin. Throws Error(OutOfRange).
 void checkHalfPositions(const Frame& frame);
 

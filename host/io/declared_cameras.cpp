@@ -60,7 +60,7 @@ void DeclaredCameras::setCamera(FrameData& frame, const std::function<Image()>& 
   const char* comma = reading.transposed && reading.yDown ? ", " : "";
   const char* ndcY = reading.yDown ? "\"ndc_y\": \"down\"" : "";
   frame.warnings.push_back(
-      {FrameWarning::Kind::Camera, m_path, "matrices for column vectors, y up",
+      {FrameWarning::Kind::CameraConvention, m_path, "matrices for column vectors, y up",
        fmt::format("ones that put surfaces {}, but not {}", off, reading.name),
        fmt::format("reads them so; {}{}{} in the file would say it", vectors, comma, ndcY)});
 }

@@ -18,7 +18,7 @@ namespace quell::io {
 /// What a user should know about a frame that can be denoised all the same.
 struct FrameWarning {
   /// Of each kind a sequence's first is worth telling.
-  enum class Kind { Camera, MissingNormals, PackedNormals, FrozenNoise, MissingFrames, Windows };
+  enum class Kind { Camera, CameraConvention, MissingFrames, Windows };
   Kind kind;
   std::string file;
   std::string expected;

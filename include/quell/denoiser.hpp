@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <quell/check.hpp>
 #include <quell/error.hpp>
 #include <quell/frame.hpp>
 #include <quell/settings.hpp>
@@ -142,6 +143,14 @@ class Denoiser {
   /// for unusable buffers, events or cameras, Error(DeviceError) for a wait-list event that has failed; all
   /// of them before anything is enqueued. A frame that fails later restarts the history.
   Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList = {});
+
+  /// Says what is odd about a frame that denoise() would take, and what would cure it: transposed matrices, packed normals,
+  /// depth of another kind, motion vectors of another sign, light that was summed up, and more (docs/check.md). For
+  /// debugging: reads all images of the frame to the host and blocks, once the events of the wait list have completed; it
+  /// launches nothing and needs no prepare(). Takes longer than the frame itself. The frame checked last is kept in
+  /// host memory and compared with, so check frames in a row; resetHistory() forgets it. Throws Error(InvalidArgument) or
+  /// Error(WrongContext) for unusable layouts, buffers or events, Error(DeviceError), Error(OutOfMemory).
+  FrameCheck checkFrame(const Frame& frame, const std::vector<cl_event>& waitList = {});
 
   /// Forgets all earlier frames, as a cut needs it. Does not block.
   void resetHistory();

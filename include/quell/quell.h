@@ -271,6 +271,53 @@ quell_status quellDenoise(quell_denoiser* denoiser, const quell_frame* frame, co
 /* Forgets all earlier frames, as a cut needs it. Does not block. */
 quell_status quellResetHistory(quell_denoiser* denoiser);
 
+/* --- Debugging -------------------------------------------------------------------------------------------------- */
+
+typedef int32_t quell_severity;
+enum {
+  QUELL_NOTE = 0,     /* worth knowing; the frame is as the contract says */
+  QUELL_DOUBTFUL = 1, /* may be meant, and costs quality where it isn't */
+  QUELL_WRONG = 2     /* against the contract (frame_images.h) */
+};
+
+typedef struct quell_frame_check {
+  size_t structSize;
+  quell_severity worst; /* of the findings; QUELL_NOTE if there are none */
+  size_t findingCount;
+  size_t figureCount;
+} quell_frame_check;
+
+/* One thing that is odd about a frame. Texts live until the next quellCheckFrame of this denoiser. */
+typedef struct quell_finding {
+  size_t structSize;
+  quell_severity severity;
+  const char* kind;     /* for example "camera-transposed"; stable across releases */
+  const char* image;    /* member of quell_frame that it is about */
+  const char* expected; /* what the contract says */
+  const char* got;      /* what was measured, with units */
+  const char* cure;     /* what most likely sets it right */
+  const char* sentence; /* made of all the others */
+  size_t pixels;        /* how many show it; 0 where it is about the frame as a whole */
+} quell_finding;
+
+/* Something measured, whether or not it is odd. Texts live as those of findings. */
+typedef struct quell_check_figure {
+  size_t structSize;
+  const char* name; /* for example "surface share" */
+  const char* unit; /* for example "%"; empty: a plain number */
+  double value;
+} quell_check_figure;
+
+/* Says what is odd about a frame that quellDenoise would take, and what would cure it: transposed matrices, packed
+ * normals, depth of another kind, light that was summed up, and more. Reads all images to the host and blocks, once the
+ * events of the wait list have completed; needs no quellPrepare. The frame checked last is kept in host memory and
+ * compared with, so check frames in a row; quellResetHistory forgets it. `check` may be NULL. quellGetFinding then gives
+ * the findings, from 0 to findingCount - 1, causes before what follows from them, and quellGetCheckFigure the figures. */
+quell_status quellCheckFrame(quell_denoiser* denoiser, const quell_frame* frame, cl_uint waitCount,
+                             const cl_event* waitList, quell_frame_check* check);
+quell_status quellGetFinding(const quell_denoiser* denoiser, size_t index, quell_finding* finding);
+quell_status quellGetCheckFigure(const quell_denoiser* denoiser, size_t index, quell_check_figure* figure);
+
 /* An intermediate buffer, for debugging. */
 typedef struct quell_buffer_content {
   size_t structSize;

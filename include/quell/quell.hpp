@@ -1,6 +1,7 @@
 // Everything of Quell's C++ API.
 #pragma once
 
+#include <quell/check.hpp>
 #include <quell/denoiser.hpp>
 #include <quell/devices.hpp>
 #include <quell/error.hpp>

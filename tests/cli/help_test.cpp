@@ -59,14 +59,15 @@ std::map<std::string, Names> optionsInHelp() {
 }  // namespace
 
 TEST_CASE("help lists every command", "[cli]") {
-  CHECK(listed(helpOf(""), "Subcommands:", 2) == Names{"bench", "compare", "demo", "denoise", "devices",
-                                                       "f-beta", "kernels", "render", "select-features",
-                                                       "stress", "tune", "tune-device"});
+  CHECK(listed(helpOf(""), "Subcommands:", 2) == Names{"bench", "check", "compare", "demo", "denoise",
+                                                       "devices", "f-beta", "kernels", "render",
+                                                       "select-features", "stress", "tune", "tune-device"});
 }
 
 TEST_CASE("help lists every option, with a word on each", "[cli]") {
   CLI::App app;
   cli::addDenoiseCommand(app);
+  cli::addCheckCommand(app);
   cli::addCompareCommand(app);
   cli::addBenchCommand(app);
   cli::addDemoCommand(app);

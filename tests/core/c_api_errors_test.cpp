@@ -36,6 +36,9 @@ TEST_CASE("NULL is refused by name everywhere", "[core][c]") {
   refused(quellDenoise(nullptr, nullptr, nullptr, 0, nullptr, nullptr), "denoiser");
   refused(quellReadBuffer(nullptr, nullptr, nullptr, 0, nullptr), "denoiser");
   refused(quellResetHistory(nullptr), "denoiser");
+  refused(quellCheckFrame(nullptr, nullptr, 0, nullptr, nullptr), "denoiser");
+  refused(quellGetFinding(nullptr, 0, nullptr), "denoiser");
+  refused(quellGetCheckFigure(nullptr, 0, nullptr), "denoiser");
   refused(quellGetDenoiserSettings(nullptr, nullptr), "denoiser");
   refused(quellGetMemoryUse(nullptr, nullptr), "denoiser");
   refused(quellGetBufferUse(nullptr, 0, nullptr), "denoiser");
@@ -72,6 +75,11 @@ TEST_CASE("NULL beside a handle is refused by name", "[core][c]") {
   refused(quellPrepare(made, nullptr, &output), "frame");
   refused(quellPrepare(made, &frame, nullptr), "output");
   refused(quellDenoise(made, &frame, &output, 1, nullptr, nullptr), "waitList");
+  refused(quellCheckFrame(made, nullptr, 0, nullptr, nullptr), "frame");
+  refused(quellCheckFrame(made, &frame, 1, nullptr, nullptr), "waitList");
+  quell_finding finding;
+  QUELL_INIT(finding);
+  refused(quellGetFinding(made, 0, &finding), "index");
   refused(quellReadBuffer(made, nullptr, nullptr, 0, nullptr), "name");
   refused(quellReadBuffer(made, "beforeAntialiasing", nullptr, 1, nullptr), "values");
   refused(quellReadBuffer(made, "beforeAntialiasing", nullptr, 0, nullptr), "content");

@@ -7,6 +7,7 @@
 namespace quell::cli {
 
 void addDenoiseCommand(CLI::App& app);
+void addCheckCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 void addDemoCommand(CLI::App& app);

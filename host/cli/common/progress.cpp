@@ -30,10 +30,6 @@ void warn(const std::string& file, const std::string& expected, const std::strin
   std::fflush(stderr);
 }
 
-void warn(const io::FrameWarning& warning) {
-  warn(warning.file, warning.expected, warning.got, warning.remedy);
-}
-
 Progress::Progress(std::string label, std::size_t total)
     : m_label(std::move(label)), m_total(total), m_terminal(isTerminal()) {}
 

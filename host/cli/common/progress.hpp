@@ -4,14 +4,11 @@
 #include <cstddef>
 #include <string>
 
-#include "host/io/frame_sequence.hpp"
-
 namespace quell::cli {
 
-/// One line, over the bar that may be there: "quell: warning: FILE: expected A, got B; REMEDY".
+/// One line, over the bar that may be there: "quell: warning: FILE: expected EXPECTED, got GOT; REMEDY".
 void warn(const std::string& file, const std::string& expected, const std::string& got,
           const std::string& remedy);
-void warn(const io::FrameWarning& warning);
 
 /// A bar on a terminal, plain lines otherwise.
 class Progress {

@@ -1,28 +1,21 @@
 #include "host/cli/common/watched_sequence.hpp"
 
-#include <fmt/format.h>
-
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
-#include "host/cli/common/noise_watch.hpp"
-#include "host/cli/common/normal_check.hpp"
+#include "host/check/checks.hpp"
+#include "host/check/noise.hpp"
+#include "host/check/projection.hpp"
+#include "host/cli/common/frame_views.hpp"
 #include "host/cli/common/progress.hpp"
-#include "host/cli/common/ray_jitter.hpp"
 
 namespace quell::cli {
 namespace {
 
-using Kind = io::FrameWarning::Kind;
-
-io::FrameWarning frozenNoise(const std::string& file, double correlation) {
-  return {Kind::FrozenNoise, file, "noise of its own in every frame",
-          fmt::format("noise like that of the frame before (correlation {:.2f})", correlation),
-          "goes on without history where the view is still; render with another seed for every frame "
-          "(Blender: the "
-          "clock beside Sampling > Advanced > Seed)"};
-}
+/// Frames that are looked at, the first that are read: three pairs for what takes two.
+constexpr int kCheckedFrames = 4;
 
 class WatchedSequence final : public io::FrameSequence {
  public:
@@ -50,29 +43,46 @@ class WatchedSequence final : public io::FrameSequence {
 
   io::FrameData read(int frame) const override {
     io::FrameData data = m_sequence->read(frame);
-    constexpr ImageFiles kNormal = factsOf(&io::FrameData::normalWorld).files;
-    constexpr ImageFiles kRadiance = factsOf(&io::FrameData::radiance).files;
-    if (auto warning = checkNormals(data, fileOf(frame, kNormal)))
-      data.warnings.push_back(std::move(*warning));
-    const NoiseWatch::Result noise = m_noise.add(data);
-    data.repeatsNoise = noise.repeats;
-    if (noise.frozen) data.warnings.push_back(frozenNoise(fileOf(frame, kRadiance), noise.correlation));
     for (const io::FrameWarning& warning : data.warnings)
-      if (m_told.insert(warning.kind).second) warn(warning);
+      tell(kindOf(warning), warning.file, warning.expected, warning.got, warning.remedy);
+    if (m_checked < kCheckedFrames) check(data);
+    data.repeatsNoise = m_frozen && check::isStill(viewOf(data));
     return data;
   }
 
  private:
   bool showsJitter() const {
-    return rayOffsetPx(m_sequence->read(m_sequence->frames().front())) > kCentredRaysPx;
+    return check::rayOffsetPx(viewOf(m_sequence->read(m_sequence->frames().front()))) > check::kCentredRaysPx;
+  }
+
+  void check(const io::FrameData& data) const {
+    check::Frame before;
+    if (m_last) before = viewOf(*m_last);
+    const check::Result result = check::checkFrame(viewOf(data), m_last ? &before : nullptr);
+    for (const check::MappedFinding& found : result.findings) {
+      const Finding& finding = found.finding;
+      m_frozen = m_frozen || finding.kind == check::kFrozenNoiseKind;
+      if (finding.severity > Severity::Note)
+        tell(finding.kind, fileOfImage(*m_sequence, data.number, finding.image), finding.expected,
+             gotText(finding), finding.cure);
+    }
+    ++m_checked;
+    m_last = m_checked < kCheckedFrames ? std::optional<io::FrameData>(data) : std::nullopt;
+  }
+
+  void tell(const std::string& kind, const std::string& file, const std::string& expected,
+            const std::string& got, const std::string& remedy) const {
+    if (m_told.insert(kind).second) warn(file, expected, got, remedy);
   }
 
   std::unique_ptr<io::FrameSequence> m_sequence;
   // Found on first use: it takes a frame.
   mutable std::optional<bool> m_jittered;
   // Reading changes what was seen and said, not what is read.
-  mutable NoiseWatch m_noise;
-  mutable std::set<Kind> m_told;
+  mutable std::optional<io::FrameData> m_last;
+  mutable int m_checked = 0;
+  mutable bool m_frozen = false;
+  mutable std::set<std::string> m_told;  // kinds
 };
 
 }  // namespace

@@ -8,10 +8,9 @@
 
 namespace quell::cli {
 
-/// io::openSequence(), and whatever reads from it prints the first warning of each kind: those of the frames themselves,
-/// normals that are not as the contract says (normal_check.hpp), noise that stays the same (noise_watch.hpp; such frames
-/// have `repeatsNoise` set). It counts as jittered also where nothing but the positions of its first frame show it
-/// (ray_jitter.hpp).
+/// io::openSequence(), and whatever reads from it prints the first warning of each kind: those of the frames themselves, and
+/// what checks (docs/check.md) find doubtful or wrong in the first frames that are read. Frames whose noise and view stay
+/// the same have `repeatsNoise` set. It counts as jittered also where nothing but the positions of its first frame show it.
 std::unique_ptr<io::FrameSequence> openWatched(const std::string& path,
                                                const io::SequenceOptions& options = {});
 
