@@ -267,6 +267,21 @@ FrameFiles findFrameFiles(const std::string& pattern) {
   return requireOneSequence(pattern, found);
 }
 
+FrameFiles listedFiles(const std::vector<std::string>& paths) {
+  std::map<std::string, Groups> byDirectory;
+  for (const std::string& path : paths) {
+    std::error_code failure;
+    if (!fs::is_regular_file(path, failure))
+      throwFileError(kStage, path, "a file beside others of a sequence", "none");
+    const std::string directory = directoryOf(path);
+    byDirectory.try_emplace(directory, directory).first->second.add(fs::path(path).filename().string());
+  }
+  std::vector<FrameFiles> found;
+  for (auto& [directory, groups] : byDirectory)
+    for (auto& [key, files] : groups.take()) found.push_back(std::move(files));
+  return requireOneSequence(paths.front(), found);
+}
+
 FrameFiles requireOneSequence(const std::string& path, const std::vector<FrameFiles>& all) {
   if (all.size() > 1)
     throwFileError(kStage, path, "the frames of one sequence",

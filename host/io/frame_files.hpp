@@ -83,6 +83,9 @@ bool isFramePattern(const std::string& path);
 /// The files that a pattern stands for. Throws Error(FileError): none, or two sequences (names both).
 FrameFiles findFrameFiles(const std::string& pattern);
 
+/// Files by name, as shells make them of a glob. Throws Error(FileError): one that is no file, or two sequences.
+FrameFiles listedFiles(const std::vector<std::string>& paths);
+
 /// The one of several sequences. Throws Error(FileError) naming two of them and how to choose; `all` has one or more.
 FrameFiles requireOneSequence(const std::string& path, const std::vector<FrameFiles>& all);
 

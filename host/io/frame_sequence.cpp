@@ -59,9 +59,9 @@ std::unique_ptr<FrameSequence> openDirectory(const std::string& directory, const
   return std::make_unique<BmfrSequence>(directory, options.missing);
 }
 
-/// The files that a pattern stands for; those of the colour stand for the other buffers beside them.
-std::unique_ptr<FrameSequence> openFiles(const std::string& pattern, const SequenceOptions& options) {
-  FrameFiles files = findFrameFiles(pattern);
+/// The files that a pattern stands for, or that are listed; those of the colour stand for the other buffers beside them.
+std::unique_ptr<FrameSequence> openFiles(const std::string& pattern, FrameFiles files,
+                                         const SequenceOptions& options) {
   const std::string directory = files.directory(), stem = factsOf(&FrameData::radiance).files.stem;
   if (files.prefix() == stem + "_")
     return std::make_unique<CyclesSequence>(directory, options.signals, options.missing, std::move(files));
@@ -81,11 +81,18 @@ bool isExr(const std::string& path) {
 
 std::unique_ptr<FrameSequence> openSequence(const std::string& path, const SequenceOptions& options) {
   requireChannelOptions(options.channels);
+  if (!options.furtherFiles.empty()) {
+    std::vector<std::string> paths = options.furtherFiles;
+    paths.insert(paths.begin(), path);
+    FrameFiles files = listedFiles(paths);
+    const std::string pattern = files.pattern();
+    return openFiles(pattern, std::move(files), options);
+  }
   std::error_code failure;
   if (std::filesystem::is_directory(path, failure)) return openDirectory(path, options);
   const bool exists = std::filesystem::exists(path, failure);
   if (exists && isExr(path)) return openFrameFiles(path, oneFile(path), options);
-  if (!exists && isFramePattern(path)) return openFiles(path, options);
+  if (!exists && isFramePattern(path)) return openFiles(path, findFrameFiles(path), options);
   throwFileError("open sequence", path, "a directory of frames or a multilayer OpenEXR file",
                  exists ? "a file that is none" : "no such directory");
 }

@@ -91,6 +91,8 @@ struct SequenceOptions {
 
   int signals;  ///< 1, or 2 for diffuse and glossy light apart
   MissingFrames missing;
+  /// Further files of the sequence whose first one is opened, as shells make them of a glob.
+  std::vector<std::string> furtherFiles;
   ChannelOptions
       channels;  ///< anything but the default: files are read by their channels, whatever the layout
 };

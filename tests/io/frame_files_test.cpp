@@ -85,6 +85,16 @@ TEST_CASE("patterns name one of several sequences", "[frame files]") {
                          failsWith(ErrorCode::FileError, {"/nowhere/at/all"}));
 }
 
+TEST_CASE("files listed one by one are a sequence in the order of their numbers", "[frame files]") {
+  const Names names({"a_0001.exr", "a_0002.exr", "a_10000.exr", "b_0001.exr"});
+  const auto path = [&](const char* name) { return names.directory.file(name); };
+  CHECK(listedFiles({path("a_10000.exr"), path("a_0002.exr")}).frames() == std::vector<int>{2, 10000});
+  REQUIRE_THROWS_MATCHES(listedFiles({path("a_0001.exr"), path("b_0001.exr")}), Error,
+                         failsWith(ErrorCode::FileError, {"a_####.exr", "b_####.exr"}));
+  REQUIRE_THROWS_MATCHES(listedFiles({path("a_0001.exr"), path("a_0007.exr")}), Error,
+                         failsWith(ErrorCode::FileError, {"a_0007.exr"}));
+}
+
 TEST_CASE("a gap is refused with what is missing, or marked as a cut", "[frame files]") {
   const TemporaryDirectory directory;
   const Passes passes = passesOf(builtIn()->read(0));
@@ -102,6 +112,9 @@ TEST_CASE("a gap is refused with what is missing, or marked as a cut", "[frame f
   CHECK(after.camera.worldToClipPrev == after.camera.worldToClip);
   REQUIRE(after.warnings.size() == 1);
   CHECK(after.warnings.front().got == "no frames 1, 3 to 5");
+  SequenceOptions listed;
+  listed.furtherFiles = {directory.file("a_-0001.exr")};
+  CHECK(openSequence(directory.file("a_0000.exr"), listed)->frames() == std::vector<int>{-1, 0});
   writeMultilayer(directory.file("b_0002.exr"), passes);
   REQUIRE_THROWS_MATCHES(openSequence(directory.path()), Error,
                          failsWith(ErrorCode::FileError, {"a_####.exr", "b_####.exr"}));

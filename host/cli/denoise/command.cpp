@@ -29,7 +29,7 @@ constexpr char kList[] = "list";
 
 struct DenoiseOptions {
   MethodArguments method;
-  std::string input;
+  std::vector<std::string> input;
   std::string output;
   std::string frames;
   std::string missing = "error";
@@ -56,11 +56,12 @@ io::SequenceOptions sequenceOptions(const DenoiseOptions& options) {
   io::SequenceOptions sequence(
       options.signals, options.missing == "skip" ? io::MissingFrames::Skip : io::MissingFrames::Refuse);
   sequence.channels = options.channels;
+  sequence.furtherFiles.assign(options.input.begin() + 1, options.input.end());
   return sequence;
 }
 
 std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
-  if (!options.input.empty()) return openWatched(options.input, sequenceOptions(options));
+  if (!options.input.empty()) return openWatched(options.input.front(), sequenceOptions(options));
   if (options.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
   const Size size = parseSize(kCommand, options.size);
   io::AnalyticOptions analytic;
@@ -193,14 +194,13 @@ void addFurtherOptions(CLI::App* command, FurtherOutputs& further) {
 }
 
 void addInputOptions(CLI::App* command, const std::shared_ptr<DenoiseOptions>& options) {
-  command->add_option("--input", options->input,
-                      "OpenEXR files as a renderer writes them: one file, a directory, or names as "
-                      "shot_####.exr, shot_%04d.exr "
-                      "or a quoted glob (docs/frames-from-my-renderer.md), or a sequence in the layout of "
-                      "data/README.md; without "
-                      "it a built-in sequence is made up. Files of renderers need colour, normal, and both "
-                      "of position and depth, "
-                      "or one of them and a camera");
+  command->add_option(
+      "--input", options->input,
+      "OpenEXR files as a renderer writes them: one file, a directory, or several, by their names "
+      "one by one or as shot_####.exr, shot_%04d.exr or a glob (docs/frames-from-my-renderer.md), "
+      "or a sequence in the layout of data/README.md; without it a built-in sequence is made up. "
+      "Files of renderers need colour, normal, and both of position and depth, or one of them and "
+      "a camera");
   command->add_option("--frames", options->frames, "Frames A-B (A:B where one is negative); default: all");
   command
       ->add_option("--missing", options->missing,
