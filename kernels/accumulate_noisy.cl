@@ -233,10 +233,17 @@ __kernel void accumulate_noisy(STAGE_ARGUMENTS(ACCUMULATE_NOISY) AccumulateNoisy
   intL met = (intL)(0);  // lanes that have a history in any signal
   Turn turn = beginTurn(params.reprojection, planes, surface, xPrev, yPrev);
   if (anyLane(wanted)) {
-    UNROLL_ON_GPU
-    for (int i = 0; i < 4; ++i)
-      addSurfaceTap(previous, params, surface, objectId, limitSquared, wanted, taps, i, history, mask, &met,
-                    &turn);
+    // Written out the usual case keeps its sums in registers; written out as well the other one is long to compile.
+    if (isOneRun(taps.plan)) {
+#pragma unroll
+      for (int i = 0; i < 4; ++i)
+        addSurfaceTap(previous, params, surface, objectId, limitSquared, wanted, tapsInOneRun(taps), i,
+                      history, mask, &met, &turn);
+    } else {
+      for (int i = 0; i < 4; ++i)
+        addSurfaceTap(previous, params, surface, objectId, limitSquared, wanted, taps, i, history, mask, &met,
+                      &turn);
+    }
   }
 
   turn = endTurn(turn, params.reprojection, surface);

@@ -105,8 +105,8 @@ QUELL_INLINE void fillColumns(COLUMNS_ARGUMENT, FitInputs inputs, FitParams para
 QUELL_INLINE void sharePivotRow(COLUMNS_ARGUMENT, int j, int id, __local float* pivotRow) {
   UNROLL
   for (int k = j; k < QUELL_FIT_COLUMNS; ++k) {
-    floatL pivot = GET(columns, k, 0);
-    if (id == j / QUELL_LANES) pivotRow[k] = ((float*)&pivot)[j % QUELL_LANES];
+    floatL pivot = GET(columns, k, j / GROUP_LANES);
+    if (id == j / QUELL_LANES % FIT_GROUP_SIZE) pivotRow[k] = ((float*)&pivot)[j % QUELL_LANES];
   }
 }
 
@@ -128,11 +128,21 @@ QUELL_INLINE Reflection makeReflection(float energy, float tolerance, float head
   return reflection;
 }
 
+// Zeros in the rows of column k that belong to R, which are among the first.
+QUELL_INLINE void leaveOutTaken(COLUMNS_ARGUMENT, int k, int id, int takenRows) {
+  UNROLL
+  for (int i = 0; i < PIVOT_VECTORS; ++i) {
+    const intL rows = (intL)(firstPixel(id, i)) + LANE_INDEX;
+    const intL taken = rows < QUELL_FEATURES &&
+                       (((intL)(takenRows) >> minLanesInt(rows, (intL)(QUELL_MOST_FEATURES - 1))) & 1) != 0;
+    SET(columns, k, i, taken ? ZERO_LANES : GET(columns, k, i));
+  }
+}
+
 // Applies reflection j to the columns after j, in one pass that also sums the products that step j + 1 needs; row j
 // of R goes to `row`. The column that is the next pivot gets zeros in the rows that belong to R.
 QUELL_INLINE void applyReflection(COLUMNS_ARGUMENT, Reflection reflection, int j, int id, int takenRows,
                                   __local const float* pivotRow, __local float* row, floatL* dots) {
-  const intL firstRows = (intL)(id * QUELL_LANES) + LANE_INDEX;
   if (id == 0) row[j] = reflection.dependent ? 0.0f : reflection.diagonal;
   UNROLL
   for (int k = j + 1; k < QUELL_FIT_COLUMNS; ++k) {
@@ -142,9 +152,7 @@ QUELL_INLINE void applyReflection(COLUMNS_ARGUMENT, Reflection reflection, int j
     if (j + 1 == QUELL_FEATURES) continue;
     if (k == j + 1) {
       reflect(columns, k, j, along);
-      const intL taken =
-          firstRows < QUELL_FEATURES && (((intL)(takenRows) >> minLanesInt(firstRows, (intL)(15))) & 1) != 0;
-      SET(columns, k, 0, taken ? ZERO_LANES : GET(columns, k, 0));
+      leaveOutTaken(columns, k, id, takenRows);
       dots[k] = partialDot(columns, k, k);
     } else {
       dots[k] = reflectAndDot(columns, k, j, along, j + 1);

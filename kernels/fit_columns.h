@@ -12,6 +12,8 @@
 #define CHUNKS (LOGICAL_LANES / GROUP_LANES)
 #define STEPS (QUELL_BLOCK_PIXELS / LOGICAL_LANES)
 #define ITEM_ROWS (CHUNKS * STEPS)
+// Of these, how many may hold the row of a pivot.
+#define PIVOT_VECTORS ((QUELL_MOST_FEATURES + GROUP_LANES - 1) / GROUP_LANES)
 
 // On GPUs every loop over rows and columns is unrolled, so that the columns live in registers.
 #if FIT_UNROLL
@@ -27,9 +29,10 @@ typedef struct Columns {
 } Columns;
 #define COLUMN_INDEX(columns, k, i) \
   ((size_t)((k)*QUELL_BLOCK_PIXELS + ((i)*FIT_GROUP_SIZE + (columns).id) * QUELL_LANES))
-#if QUELL_LANES == 16
-#define GET(columns, k, i) vload_half16(0, (columns).data + COLUMN_INDEX(columns, k, i))
-#define SET(columns, k, i, value) vstore_half16((value), 0, (columns).data + COLUMN_INDEX(columns, k, i))
+#if QUELL_LANES > 1
+#define GET(columns, k, i) TYPE_OF_LANES(vload_half)(0, (columns).data + COLUMN_INDEX(columns, k, i))
+#define SET(columns, k, i, value) \
+  TYPE_OF_LANES(vstore_half)((value), 0, (columns).data + COLUMN_INDEX(columns, k, i))
 #else
 #define GET(columns, k, i) vload_half(COLUMN_INDEX(columns, k, i), (columns).data)
 #define SET(columns, k, i, value) vstore_half((value), COLUMN_INDEX(columns, k, i), (columns).data)

@@ -11,14 +11,15 @@
 #include "gram_solve_ports.h"
 #include "normal_equations.h"
 
+// Of one lane.
+#define TILE_VALUE(i) row[tile.s##i]
+
 QUELL_INLINE floatL tileValue(__global const float* tiles, int tileStride, int plane, intL tile) {
 #if QUELL_LANES == 1
   return tiles[plane * tileStride + tile];
 #else
   __global const float* row = tiles + plane * tileStride;
-  return (float16)(row[tile.s0], row[tile.s1], row[tile.s2], row[tile.s3], row[tile.s4], row[tile.s5],
-                   row[tile.s6], row[tile.s7], row[tile.s8], row[tile.s9], row[tile.sa], row[tile.sb],
-                   row[tile.sc], row[tile.sd], row[tile.se], row[tile.sf]);
+  return (floatL)(EACH_LANE(TILE_VALUE));
 #endif
 }
 

@@ -61,22 +61,25 @@ QUELL_INLINE Neighbourhood boundsAround(__global const float* radiance, PlanePar
                                         float3L centre, int atBorder) {
   const int index = planeIndex(planes, x, y);
   const intL column = x + LANE_INDEX;
-  Neighbourhood result;
-  result.cross.low = centre;
-  result.cross.high = centre;
-  result.box = result.cross;
+  Bounds cross = {centre, centre};
+  Bounds corners = cross;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
+      if (dx == 0 && dy == 0) continue;
       float3L neighbour = toYCoCg(loadLanes3(radiance, index + dy * planes.pitch + dx, planes.stride));
       if (atBorder) {
         const intL inside = column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
                             (intL)(y + dy) < planes.height;
         neighbour = select3(inside, neighbour, centre);
       }
-      result.box = include(result.box, neighbour);
-      if (dx == 0 || dy == 0) result.cross = include(result.cross, neighbour);
+      if (dx == 0 || dy == 0) {
+        cross = include(cross, neighbour);
+      } else {
+        corners = include(corners, neighbour);
+      }
     }
   }
+  const Neighbourhood result = {cross, include(include(corners, cross.low), cross.high)};
   return result;
 }
 
@@ -115,6 +118,7 @@ QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global con
   floatL nearest = own != params.backgroundDepth ? own : (floatL)(FLT_MAX);
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
+      if (dx == 0 && dy == 0) continue;
       const int neighbour = index + dy * planes.pitch + dx;
       const floatL depth = loadLanes(viewDepth + neighbour);
       intL nearer = depth != params.backgroundDepth && depth < QUELL_NEARER * nearest;
@@ -128,6 +132,19 @@ QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global con
     }
   }
   return prev;
+}
+
+// Adds the history's radiance at the taps inside the frame to `sum`; returns their weight.
+QUELL_INLINE floatL addHistory(__global const float* antialiasedPrev, PlaneParams planes, BilinearTaps taps,
+                               float3L* sum) {
+  floatL weightSum = ZERO_LANES;
+  for (int i = 0; i < 4; ++i) {
+    const floatL weight = taps.inFrame[i] ? taps.weight[i] : ZERO_LANES;
+    const float3L tap = gatherLanes3(antialiasedPrev + tapOffset(planes, i), taps.plan, planes.stride);
+    *sum = add3(*sum, scale3(tap, weight));
+    weightSum += weight;
+  }
+  return weightSum;
 }
 
 QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA, floatL highB) {
@@ -155,12 +172,8 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
 
   const BilinearTaps taps = bilinearTaps(planes, prev.x, prev.y);
   float3L sum = splat3(0.0f);
-  floatL weightSum = ZERO_LANES;
-  for (int i = 0; i < 4; ++i) {
-    const floatL weight = taps.inFrame[i] ? taps.weight[i] : ZERO_LANES;
-    sum = add3(sum, scale3(gatherLanes3(antialiasedPrev + tapOffset(planes, i), taps.plan, stride), weight));
-    weightSum += weight;
-  }
+  const floatL weightSum = isOneRun(taps.plan) ? addHistory(antialiasedPrev, planes, tapsInOneRun(taps), &sum)
+                                               : addHistory(antialiasedPrev, planes, taps, &sum);
   const intL hasHistory = historyCounts(reprojectionMask, planes, x, y) && weightSum > 0.0f;
   float3L history = toYCoCg(scale3(sum, 1.0f / (hasHistory ? weightSum : ONE_LANES)));
   history.x = clampToMean(history.x, box.low.x, cross.low.x, box.high.x, cross.high.x);

@@ -72,9 +72,15 @@ Mapping toMapping(quell_mapping mapping, const char* function) {
       return Mapping::Narrow;
     case QUELL_MAPPING_WIDE:
       return Mapping::Wide;
+    case QUELL_MAPPING_WIDE_4:
+      return Mapping::Wide4;
+    case QUELL_MAPPING_WIDE_8:
+      return Mapping::Wide8;
+    case QUELL_MAPPING_WIDE_16:
+      return Mapping::Wide16;
   }
   refuseEnumerator(function, "options.mapping",
-                   "QUELL_MAPPING_AUTOMATIC, QUELL_MAPPING_NARROW or QUELL_MAPPING_WIDE", mapping);
+                   "QUELL_MAPPING_AUTOMATIC, _NARROW, _WIDE, _WIDE_4, _WIDE_8 or _WIDE_16", mapping);
 }
 
 std::vector<std::string> splitAtCommas(const char* text) {

@@ -1,12 +1,35 @@
 #include "host/core/device_traits.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace quell {
 namespace {
 
 // PoCL 3.1. It keeps the machine code that it launches in a cache of its own, so nothing is lost without binaries.
 constexpr char kPoclPlatform[] = "Portable Computing Language";
 
+/// What fills a vector register, as far as the device says so and kernels are written for it.
+int nativeLanesOf(const cl::Device& device) {
+  const auto width = static_cast<int>(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
+  int lanes = factsOf(Mapping::Wide4).lanes;
+  for (const MappingFacts& facts : kMappings)
+    if (facts.lanes <= width) lanes = std::max(lanes, facts.lanes);
+  return lanes;
+}
+
 }  // namespace
+
+const MappingFacts& factsOf(Mapping mapping) {
+  return *std::find_if(std::begin(kMappings), std::end(kMappings),
+                       [mapping](const MappingFacts& facts) { return facts.mapping == mapping; });
+}
+
+const MappingFacts* mappingWith(int lanes) {
+  const auto found = std::find_if(std::begin(kMappings), std::end(kMappings),
+                                  [lanes](const MappingFacts& facts) { return facts.lanes == lanes; });
+  return lanes > 0 && found != std::end(kMappings) ? found : nullptr;
+}
 
 DeviceTraits queryDeviceTraits(const cl::Device& device, Mapping mapping) {
   DeviceTraits traits;
@@ -14,8 +37,9 @@ DeviceTraits queryDeviceTraits(const cl::Device& device, Mapping mapping) {
   traits.identity = device.getInfo<CL_DEVICE_VENDOR>() + "\n" + traits.name + "\n" +
                     device.getInfo<CL_DEVICE_VERSION>() + "\n" + device.getInfo<CL_DRIVER_VERSION>();
   traits.isCpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
-  const bool wide = mapping == Mapping::Wide || (mapping == Mapping::Automatic && traits.isCpu);
-  traits.lanes = wide ? kWideLanes : kNarrowLanes;
+  traits.nativeLanes = nativeLanesOf(device);
+  if (mapping == Mapping::Automatic) mapping = traits.isCpu ? Mapping::Wide : Mapping::Narrow;
+  traits.lanes = mapping == Mapping::Wide ? traits.nativeLanes : factsOf(mapping).lanes;
   traits.maxWorkGroup = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
   const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>(), true);
   traits.compilesForBinaries = platform.getInfo<CL_PLATFORM_NAME>() == kPoclPlatform;

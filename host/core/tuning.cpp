@@ -1,5 +1,6 @@
 #include "host/core/tuning.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 namespace quell {
@@ -13,9 +14,9 @@ std::string keyOf(const std::string& deviceIdentity) { return std::string(kForma
 
 bool isUsable(const StageTuning& tuning) {
   const auto inRange = [](int value, int most) { return value >= 0 && value <= most; };
-  return (tuning.lanes == kNarrowLanes || tuning.lanes == kWideLanes) &&
-         inRange(tuning.workGroup[0], kMostItems) && inRange(tuning.workGroup[1], kMostItems) &&
-         inRange(tuning.fitGroup, kMostFitGroup) && (tuning.fitGroup & (tuning.fitGroup - 1)) == 0;
+  return mappingWith(tuning.lanes) != nullptr && inRange(tuning.workGroup[0], kMostItems) &&
+         inRange(tuning.workGroup[1], kMostItems) && inRange(tuning.fitGroup, kMostFitGroup) &&
+         (tuning.fitGroup & (tuning.fitGroup - 1)) == 0;
 }
 
 /// Whether the caller has chosen what tuning would choose.
@@ -59,12 +60,14 @@ void applyTuning(const DeviceTuning& tuning, const std::string& stage, Configura
 int commonLanes(const DeviceTuning& tuning, const std::vector<std::string>& stages,
                 const Configuration& configuration) {
   if (hasOptions(configuration.options)) return configuration.device.lanes;
-  int wide = 0, narrow = 0;
+  std::map<int, int> wishes;  // lanes to the number of stages
   for (const std::string& stage : stages) {
     const auto found = tuning.find(stage);
-    if (found != tuning.end()) ++(found->second.lanes == kNarrowLanes ? narrow : wide);
+    if (found != tuning.end()) ++wishes[found->second.lanes];
   }
-  return wide == narrow ? configuration.device.lanes : wide > narrow ? kWideLanes : kNarrowLanes;
+  const auto most =
+      std::max_element(wishes.begin(), wishes.end(), [](auto a, auto b) { return a.second <= b.second; });
+  return most == wishes.end() ? configuration.device.lanes : most->first;
 }
 
 }  // namespace quell

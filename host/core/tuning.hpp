@@ -12,7 +12,7 @@ namespace quell {
 
 /// How one stage runs best.
 struct StageTuning {
-  int lanes = 1;                       ///< pixels per work-item, 1 or 16
+  int lanes = 1;                       ///< pixels per work-item, as one of kMappings has them
   std::array<int, 2> workGroup{0, 0};  ///< as Options::workGroup
   int fitGroup = 0;                    ///< as Options::fitGroup
 };
@@ -29,7 +29,7 @@ void writeTuning(const DiskCache& disk, const std::string& deviceIdentity, const
 /// changes unless mapping, work-group and fit group are all left to the library.
 void applyTuning(const DeviceTuning& tuning, const std::string& stage, Configuration& configuration);
 
-/// Pixels per work-item for stages that must agree on them: what most of those that were measured want, else, and where
+/// Pixels per work-item for stages that must agree on them: what most of those that were measured want (the more where as many do), else, and where
 /// the caller has set options, as the configuration has it.
 int commonLanes(const DeviceTuning& tuning, const std::vector<std::string>& stages,
                 const Configuration& configuration);

@@ -13,6 +13,7 @@
 #include "host/io/image_sources.hpp"
 #include "host/io/light_remainder.hpp"
 #include "host/io/multilayer_camera.hpp"
+#include "host/io/ray_depth.hpp"
 #include "host/io/sequence_files.hpp"
 
 namespace quell::io {
@@ -86,15 +87,26 @@ void MultilayerSequence::requireImages() const {
     for (const char* factor : {"albedo", "gloss_color"}) m_files.require(factor);
   if (!m_cameras.empty() || m_headerCameras) return;
   for (const char* image : {kPosition, kDepth}) m_files.require(image, ", or camera.json beside the files");
-  if (const DepthKind kind = m_files.depthKind(); kind != DepthKind::View)
-    throwFileError(kStage, m_name, "camera.json beside the files, or depth along the view axis",
-                   fmt::format("depth of the kind {}", toString(kind)));
+  if (!depthShowsCamera())
+    throwFileError(kStage, m_name, "camera.json beside the files, or depth along the view axis or along rays",
+                   fmt::format("depth of the kind {}", toString(m_files.depthKind())));
 }
 
 Image MultilayerSequence::readOne(int frame, const char* image) const {
   FrameData unwatched;  // warnings are those of reading the frame itself
   unwatched.number = frame;
   return m_files.read(unwatched, image);
+}
+
+bool MultilayerSequence::depthShowsCamera() const {
+  return m_files.depthKind() == DepthKind::View || m_files.depthKind() == DepthKind::Ray;
+}
+
+Image MultilayerSequence::viewDepth(int frame, const Image& positions) const {
+  Image depth = readOne(frame, kDepth);
+  if (m_files.depthKind() == DepthKind::View) return depth;
+  auto view = viewDepthFromRays(positions, depth);
+  return view ? std::move(*view) : Image(depth.width, depth.height, 1, kNoSurfaceDepth);
 }
 
 std::optional<Matrix4> MultilayerSequence::headerCamera(int frame, const Image& positions) const {
@@ -110,12 +122,12 @@ const FoundCamera& MultilayerSequence::foundCamera(int frame) const {
   FoundCamera found;
   const Image positions = m_files.has(kPosition) ? readOne(frame, kPosition) : Image();
   if (m_headerCameras) found.worldToClip = headerCamera(frame, positions);
-  const bool follows = !positions.empty() && m_files.has(kDepth) && m_files.depthKind() == DepthKind::View;
+  const bool follows = !positions.empty() && m_files.has(kDepth) && depthShowsCamera();
   if (!found.worldToClip && !follows)
     throwFileError("read frame", m_files.fileOf(frame),
                    "a camera in the header that puts positions at their pixels",
                    "one that does not; camera.json beside the file would tell");
-  if (!found.worldToClip) found = findCamera(positions, readOne(frame, kDepth));
+  if (!found.worldToClip) found = findCamera(positions, viewDepth(frame, positions));
   return m_found[frame] = std::move(found);
 }
 
@@ -128,7 +140,8 @@ std::optional<int> MultilayerSequence::lastFrameWithCamera(int frame) const {
 
 Matrix4 MultilayerSequence::worldToClipOf(int frame) const {
   if (const auto found = lastFrameWithCamera(frame)) return *foundCamera(*found).worldToClip;
-  return standInCamera(readOne(frame, kPosition), readOne(frame, kNormal), readOne(frame, kDepth));
+  const Image positions = readOne(frame, kPosition);
+  return standInCamera(positions, readOne(frame, kNormal), viewDepth(frame, positions));
 }
 
 void MultilayerSequence::setCamera(FrameData& data) const {

@@ -7,8 +7,8 @@
 //
 // The camera comes from camera.json beside the files (camera_file.hpp), whose frame numbers are those of the file names, or
 // from the headers of the files (exr_camera.hpp). Without, it follows from position and depth: each is a linear function
-// of the other, up to the pixel. Motion of Cycles is turned to that of the contract; that of others is taken as it is.
-// Alpha of the colour is kept beside the frame.
+// of the other, up to the pixel; distances along rays do as well (ray_depth.hpp). Motion of Cycles is turned to that of the
+// contract; that of others is taken as it is. Alpha of the colour is kept beside the frame.
 #pragma once
 
 #include <map>
@@ -53,6 +53,9 @@ class MultilayerSequence final : public FrameSequence {
   void requireImages() const;
   Image readOne(int frame, const char* image) const;
   Image readPositions(FrameData& data) const;
+  bool depthShowsCamera() const;  ///< its kind, beside positions
+  /// For cameras that follow from it.
+  Image viewDepth(int frame, const Image& positions) const;
   const FoundCamera& foundCamera(int frame) const;
   std::optional<Matrix4> headerCamera(int frame, const Image& positions) const;
   std::optional<int> lastFrameWithCamera(int frame) const;  ///< up to this one

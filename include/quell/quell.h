@@ -230,7 +230,10 @@ typedef int32_t quell_mapping;
 enum {
   QUELL_MAPPING_AUTOMATIC = 0, /* wide on CPU devices, narrow elsewhere */
   QUELL_MAPPING_NARROW = 1,    /* one pixel a work-item */
-  QUELL_MAPPING_WIDE = 2       /* sixteen pixels of a row a work-item */
+  QUELL_MAPPING_WIDE = 2,      /* as many pixels of a row a work-item as fill the device's native vector */
+  QUELL_MAPPING_WIDE_4 = 3,    /* four of them, whatever the device */
+  QUELL_MAPPING_WIDE_8 = 4,
+  QUELL_MAPPING_WIDE_16 = 5
 };
 
 typedef struct quell_options {

@@ -43,43 +43,45 @@ QUELL_INLINE GatherPlan planBlockRow(PlaneParams planes, int row, int blockX, in
 #if QUELL_LANES == 1
   plan.index = planeIndex(planes, mirror(x, planes.width), y);
 #else
-  if (x >= 0 && x + 16 <= planes.width) {
+  if (x >= 0 && x + QUELL_LANES <= planes.width) {
     plan.index = planeIndex(planes, x, y) + LANE_INDEX;
     plan.firstRun = planeIndex(planes, x, y);
     plan.lastRun = plan.firstRun;
     plan.inFirstRun = (intL)(-1);
     plan.runs = 1;
   } else {
-    int columns[16];
-    for (int lane = 0; lane < 16; ++lane) columns[lane] = mirror(x + lane, planes.width);
-    plan = planGather(planeIndex(planes, 0, y) + vload16(0, columns));
+    int columns[QUELL_LANES];
+    for (int lane = 0; lane < QUELL_LANES; ++lane) columns[lane] = mirror(x + lane, planes.width);
+    plan = planGather(planeIndex(planes, 0, y) + LOAD_VECTOR(columns));
   }
 #endif
   return plan;
 }
 
-QUELL_INLINE float sumLanes(floatL v) {
-#if QUELL_LANES == 1
-  return v;
+// OP of all lanes, by halves.
+#if QUELL_LANES == 16
+#define REDUCE_LANES(v, OP)            \
+  const float8 a = OP((v).lo, (v).hi); \
+  const float4 b = OP(a.lo, a.hi);     \
+  const float2 c = OP(b.lo, b.hi);     \
+  return OP(c.x, c.y);
+#elif QUELL_LANES == 8
+#define REDUCE_LANES(v, OP)            \
+  const float4 b = OP((v).lo, (v).hi); \
+  const float2 c = OP(b.lo, b.hi);     \
+  return OP(c.x, c.y);
+#elif QUELL_LANES == 4
+#define REDUCE_LANES(v, OP)            \
+  const float2 c = OP((v).lo, (v).hi); \
+  return OP(c.x, c.y);
 #else
-  const float8 a = v.lo + v.hi;
-  const float4 b = a.lo + a.hi;
-  const float2 c = b.lo + b.hi;
-  return c.x + c.y;
+#define REDUCE_LANES(v, OP) return v;
 #endif
-}
+#define SUM_OF(a, b) ((a) + (b))
+#define LEAST_OF(a, b) ((a) < (b) ? (a) : (b))
 
-QUELL_INLINE float minOfLanes(floatL v) {
-#if QUELL_LANES == 1
-  return v;
-#else
-  const float8 a = v.lo < v.hi ? v.lo : v.hi;
-  const float4 b = a.lo < a.hi ? a.lo : a.hi;
-  const float2 c = b.lo < b.hi ? b.lo : b.hi;
-  return c.x < c.y ? c.x : c.y;
-#endif
-}
-
+QUELL_INLINE float sumLanes(floatL v){REDUCE_LANES(v, SUM_OF)} QUELL_INLINE
+    float minOfLanes(floatL v){REDUCE_LANES(v, LEAST_OF)}
 // Scaling of a set of pixels from the ranges of its variables: (v - anchor) * scale lies in [0, 1]. A range that is
 // rounding noise next to the view distance (SIZE: of this variable, in its unit) is divided by the distance instead,
 // which leaves it below 1e-4 and drowned by the injected noise. An empty set (low > high) gets anchor 0 and scale 1.

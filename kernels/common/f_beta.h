@@ -39,8 +39,8 @@ QUELL_INLINE FBeta lookUpFBeta(__global const float4* table, floatL cosTheta, fl
   result.scale = row.x + (row.z - row.x) * fx;
   result.bias = row.y + (row.w - row.y) * fx;
 #else
-  float scale[16], bias[16];
-  for (int lane = 0; lane < 16; ++lane) {
+  float scale[QUELL_LANES], bias[QUELL_LANES];
+  for (int lane = 0; lane < QUELL_LANES; ++lane) {
     const int i = ((const int*)&entry)[lane];
     const float4 low = table[i];
     const float4 row = low + (table[i + QUELL_F_BETA_EDGE] - low) * ((const float*)&fy)[lane];
@@ -48,8 +48,8 @@ QUELL_INLINE FBeta lookUpFBeta(__global const float4* table, floatL cosTheta, fl
     scale[lane] = texel.x;
     bias[lane] = texel.y;
   }
-  result.scale = vload16(0, scale);
-  result.bias = vload16(0, bias);
+  result.scale = LOAD_VECTOR(scale);
+  result.bias = LOAD_VECTOR(bias);
 #endif
   return result;
 }

@@ -25,7 +25,7 @@ QUELL_INLINE floatL loadLanes(__global const float* plane) {
 #if QUELL_LANES == 1
   return plane[0];
 #else
-  return vload16(0, plane);
+  return LOAD_GLOBAL(float, plane);
 #endif
 }
 
@@ -33,7 +33,7 @@ QUELL_INLINE void storeLanes(floatL value, __global float* plane) {
 #if QUELL_LANES == 1
   plane[0] = value;
 #else
-  vstore16(value, 0, plane);
+  STORE_GLOBAL(float, value, plane);
 #endif
 }
 
@@ -41,7 +41,7 @@ QUELL_INLINE void storeIntLanes(intL value, __global int* plane) {
 #if QUELL_LANES == 1
   plane[0] = value;
 #else
-  vstore16(value, 0, plane);
+  STORE_GLOBAL(int, value, plane);
 #endif
 }
 
@@ -49,7 +49,7 @@ QUELL_INLINE intL loadByteLanes(__global const uchar* plane) {
 #if QUELL_LANES == 1
   return plane[0];
 #else
-  return convert_int16(vload16(0, plane));
+  return TO_INT(LOAD_GLOBAL(uchar, plane));
 #endif
 }
 
@@ -58,7 +58,7 @@ QUELL_INLINE void storeByteLanes(intL value, __global uchar* plane) {
 #if QUELL_LANES == 1
   plane[0] = (uchar)value;
 #else
-  vstore16(convert_uchar16(value), 0, plane);
+  STORE_GLOBAL(uchar, TO_UCHAR(value), plane);
 #endif
 }
 
@@ -76,9 +76,9 @@ QUELL_INLINE void storeLanes3(float3L value, __global float* planes, int index, 
   storeLanes(value.z, planes + index + 2 * stride);
 }
 
-// How to fetch one element per lane from arbitrary places. Reprojection is smooth, so the places of sixteen
+// How to fetch one element per lane from arbitrary places. Reprojection is smooth, so the places of
 // neighbours nearly always form one run of consecutive elements, or two where the motion crosses a pixel boundary or
-// a silhouette; then one or two vector loads replace sixteen scalar ones.
+// a silhouette; then one or two vector loads replace as many scalar ones as there are lanes.
 typedef struct GatherPlan {
   intL index;
 #if QUELL_LANES > 1
@@ -94,7 +94,7 @@ QUELL_INLINE GatherPlan planGather(intL index) {
   plan.index = index;
 #if QUELL_LANES > 1
   plan.firstRun = index.s0;
-  plan.lastRun = index.sf - 15;
+  plan.lastRun = LAST_LANE(index) - (QUELL_LANES - 1);
   plan.inFirstRun = index == plan.firstRun + LANE_INDEX;
   const intL inLastRun = index == plan.lastRun + LANE_INDEX;
   plan.runs = all(plan.inFirstRun) ? 1 : all(plan.inFirstRun || inLastRun) ? 2 : 0;
@@ -102,17 +102,37 @@ QUELL_INLINE GatherPlan planGather(intL index) {
   return plan;
 }
 
+// Whether a plan is the usual one: then code that gathers much by it is worth writing twice, once with oneRun(), whose
+// loads need no further question. With a single lane every plan is.
+QUELL_INLINE int isOneRun(GatherPlan plan) {
+#if QUELL_LANES == 1
+  return 1;
+#else
+  return plan.runs == 1;
+#endif
+}
+
+// The same plan, for a compiler that cannot tell by itself.
+QUELL_INLINE GatherPlan oneRun(GatherPlan plan) {
+#if QUELL_LANES > 1
+  plan.runs = 1;
+#endif
+  return plan;
+}
+
+// Element of one lane.
+#define GATHERED(i) plane[at.s##i]
+
 QUELL_INLINE floatL gatherLanes(__global const float* plane, GatherPlan plan) {
 #if QUELL_LANES == 1
   return plane[plan.index];
 #else
-  if (plan.runs == 1) return vload16(0, plane + plan.firstRun);
+  if (plan.runs == 1) return LOAD_GLOBAL(float, plane + plan.firstRun);
   if (plan.runs == 2)
-    return plan.inFirstRun ? vload16(0, plane + plan.firstRun) : vload16(0, plane + plan.lastRun);
-  const intL i = plan.index;
-  return (float16)(plane[i.s0], plane[i.s1], plane[i.s2], plane[i.s3], plane[i.s4], plane[i.s5], plane[i.s6],
-                   plane[i.s7], plane[i.s8], plane[i.s9], plane[i.sa], plane[i.sb], plane[i.sc], plane[i.sd],
-                   plane[i.se], plane[i.sf]);
+    return plan.inFirstRun ? LOAD_GLOBAL(float, plane + plan.firstRun)
+                           : LOAD_GLOBAL(float, plane + plan.lastRun);
+  const intL at = plan.index;
+  return (floatL)(EACH_LANE(GATHERED));
 #endif
 }
 
@@ -120,29 +140,25 @@ QUELL_INLINE intL gatherIntLanes(__global const int* plane, GatherPlan plan) {
 #if QUELL_LANES == 1
   return plane[plan.index];
 #else
-  if (plan.runs == 1) return vload16(0, plane + plan.firstRun);
+  if (plan.runs == 1) return LOAD_GLOBAL(int, plane + plan.firstRun);
   if (plan.runs == 2)
-    return plan.inFirstRun ? vload16(0, plane + plan.firstRun) : vload16(0, plane + plan.lastRun);
-  const intL i = plan.index;
-  return (int16)(plane[i.s0], plane[i.s1], plane[i.s2], plane[i.s3], plane[i.s4], plane[i.s5], plane[i.s6],
-                 plane[i.s7], plane[i.s8], plane[i.s9], plane[i.sa], plane[i.sb], plane[i.sc], plane[i.sd],
-                 plane[i.se], plane[i.sf]);
+    return plan.inFirstRun ? LOAD_GLOBAL(int, plane + plan.firstRun) : LOAD_GLOBAL(int, plane + plan.lastRun);
+  const intL at = plan.index;
+  return (intL)(EACH_LANE(GATHERED));
 #endif
 }
 
 QUELL_INLINE floatL gatherByteLanes(__global const uchar* plane, GatherPlan plan) {
 #if QUELL_LANES == 1
-  return convert_float(plane[plan.index]);
+  return TO_FLOAT(plane[plan.index]);
 #else
-  if (plan.runs == 1) return convert_float16(vload16(0, plane + plan.firstRun));
+  if (plan.runs == 1) return TO_FLOAT(LOAD_GLOBAL(uchar, plane + plan.firstRun));
   if (plan.runs == 2) {
-    const float16 first = convert_float16(vload16(0, plane + plan.firstRun));
-    return plan.inFirstRun ? first : convert_float16(vload16(0, plane + plan.lastRun));
+    const floatL first = TO_FLOAT(LOAD_GLOBAL(uchar, plane + plan.firstRun));
+    return plan.inFirstRun ? first : TO_FLOAT(LOAD_GLOBAL(uchar, plane + plan.lastRun));
   }
-  const intL i = plan.index;
-  return (float16)(plane[i.s0], plane[i.s1], plane[i.s2], plane[i.s3], plane[i.s4], plane[i.s5], plane[i.s6],
-                   plane[i.s7], plane[i.s8], plane[i.s9], plane[i.sa], plane[i.sb], plane[i.sc], plane[i.sd],
-                   plane[i.se], plane[i.sf]);
+  const intL at = plan.index;
+  return (floatL)(EACH_LANE(GATHERED));
 #endif
 }
 

@@ -98,6 +98,12 @@ QUELL_INLINE BilinearTaps bilinearTaps(PlaneParams planes, floatL x, floatL y) {
   return taps;
 }
 
+// The same taps, where isOneRun() says so of their plan.
+QUELL_INLINE BilinearTaps tapsInOneRun(BilinearTaps taps) {
+  taps.plan = oneRun(taps.plan);
+  return taps;
+}
+
 // Distance in elements from tap (0,0) to tap i.
 QUELL_INLINE int tapOffset(PlaneParams planes, int i) { return (i & 1) + (i >> 1) * planes.pitch; }
 

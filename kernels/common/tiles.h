@@ -39,11 +39,15 @@ QUELL_INLINE float mixRows(__global const float* values, TileMix mix, int column
 QUELL_INLINE floatL mixedValue(__global const float* values, TileMix mix) {
   const float a = mixRows(values, mix, mix.left);
   const float b = mixRows(values, mix, mix.left + 1);
-#if QUELL_LANES == 1
-  const floatL left = a;
-  const floatL right = b;
+  // The centres of tiles are half a tile from their edges: pixels up to there are mixed alike.
+#if QUELL_LANES <= QUELL_TILE / 2
+  const floatL left = (floatL)(a);
+  const floatL right = (floatL)(b);
+#elif QUELL_LANES == QUELL_TILE
+  const float c = mixRows(values, mix, mix.left + 2);
+  const floatL left = (floatL)((float4)(a), (float4)(b));
+  const floatL right = (floatL)((float4)(b), (float4)(c));
 #else
-  // Sixteen pixels from the edge of a tile on lie between the centres of four: half a tile, a whole one, half a tile.
   const float c = mixRows(values, mix, mix.left + 2);
   const float d = mixRows(values, mix, mix.left + 3);
   const floatL left = (floatL)((float4)(a), (float8)(b), (float4)(c));

@@ -65,7 +65,7 @@ TEST_CASE("kernels writes options and complete sources", "[cli]") {
   const TemporaryDirectory directory;
   const std::string file = directory.file("kernels.json");
   const char* arguments[] = {"quell",     "kernels", "--methods", "atrous",
-                             "--mapping", "wide",    "--json",    file.c_str()};
+                             "--mapping", "wide16",  "--json",    file.c_str()};
   REQUIRE(cli::runTool(8, arguments) == 0);
   const json list = readJson(file);
   REQUIRE_FALSE(list.at("kernels").empty());

@@ -120,7 +120,7 @@ class Probe {
   double m_leastMs = 0.0;
 };
 
-constexpr Mapping kMappings[] = {Mapping::Wide, Mapping::Narrow};
+constexpr Mapping kProbedMappings[] = {Mapping::Wide, Mapping::Narrow};
 constexpr Shadowing kShadowings[] = {Shadowing::Separable, Shadowing::HeightCorrelated};
 
 constexpr double kUsualFrom = 0.02;  // less than 1.2 degrees from grazing

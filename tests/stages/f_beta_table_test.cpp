@@ -51,7 +51,7 @@ TexelErrors compareTexels(const FBetaTexels& texels, Shadowing shadowing, int st
 
 void checkTexels(Mapping mapping, Shadowing shadowing, int step) {
   const TexelErrors errors = compareTexels(sharedFBetaTexels(mapping, shadowing), shadowing, step);
-  INFO((mapping == Mapping::Wide ? "16 lanes, " : "1 lane, ")
+  INFO((mapping == Mapping::Wide ? "wide, " : "narrow, ")
        << (shadowing == Shadowing::Separable ? "separable" : "height-correlated") << ": largest error "
        << errors.all << " at column " << errors.x << " row " << errors.y << ", " << errors.rough
        << " for roughness >= " << kRoughFrom);

@@ -7,6 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "host/core/device_traits.hpp"
+
 namespace quell::cli {
 
 void refuse(const char* command, const std::string& option, const std::string& expected,
@@ -55,12 +57,20 @@ std::pair<std::string, std::string> parseAssignment(const char* command, const c
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+std::vector<std::string> mappingNames() {
+  std::vector<std::string> names;
+  for (const MappingFacts& facts : kMappings) names.emplace_back(facts.name);
+  return names;
+}
+
 void addDeviceArguments(CLI::App& command, DeviceArguments& arguments) {
   command.add_option("--device", arguments.device, "Index or part of a name, see 'quell devices'");
   command
-      .add_option("--mapping", arguments.mapping,
-                  "Pixels per work-item: 16 (wide), 1 (narrow), or what suits the device")
-      ->check(CLI::IsMember({"automatic", "wide", "narrow"}))
+      .add_option(
+          "--mapping", arguments.mapping,
+          "Pixels per work-item: 1 (narrow), as many as fill a vector of the device (wide), 4, 8 or 16 "
+          "(wide4, wide8, wide16), or what suits the device")
+      ->check(CLI::IsMember(mappingNames()))
       ->capture_default_str();
   command.add_option("--cache-directory", arguments.cacheDirectory, "Where compiled kernels are kept");
   command.add_flag("--no-cache", arguments.noCache, "Keep no compiled kernels on disk");
@@ -69,9 +79,8 @@ void addDeviceArguments(CLI::App& command, DeviceArguments& arguments) {
 Options makeOptions(const DeviceArguments& arguments, TimerMode timers) {
   Options result;
   result.timers = timers;
-  result.mapping = arguments.mapping == "narrow" ? Mapping::Narrow
-                   : arguments.mapping == "wide" ? Mapping::Wide
-                                                 : Mapping::Automatic;
+  for (const MappingFacts& facts : kMappings)
+    if (arguments.mapping == facts.name) result.mapping = facts.mapping;
   if (arguments.noCache) {
     result.cacheDirectory = "";
   } else if (!arguments.cacheDirectory.empty()) {

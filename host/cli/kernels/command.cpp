@@ -42,16 +42,25 @@ json toJson(const KernelVariants& variants) {
   return {{"kernels", kernels}, {"sources", sources}};
 }
 
+std::vector<std::string> fixedMappings() {
+  std::vector<std::string> names;
+  for (const MappingFacts& facts : kMappings)
+    if (facts.lanes > 0) names.emplace_back(facts.name);
+  return names;
+}
+
 void runKernels(const KernelsOptions& options) {
-  const bool wide = options.mapping == "wide";
+  int lanes = 0;
+  for (const MappingFacts& facts : kMappings)
+    if (options.mapping == facts.name) lanes = facts.lanes;
+  const bool wide = lanes != kNarrowLanes;
   const ImageSets images = options.images == "all" ? ImageSets::All : ImageSets::Typical;
   KernelVariants variants;
   std::vector<std::string> features = options.features;
   features.insert(features.begin(), "");  // the default
   for (const std::string& method : options.methods)
     for (const std::string& list : features)
-      addKernelVariants(variants, method, images, wide ? kWideLanes : kNarrowLanes,
-                        wide ? kCpuWorkGroup : kGpuWorkGroup, list);
+      addKernelVariants(variants, method, images, lanes, wide ? kCpuWorkGroup : kGpuWorkGroup, list);
   if (!options.json.empty()) io::writeTextFile(options.json, toJson(variants).dump(1) + "\n");
   for (const auto& [kernel, methods] : variants)
     fmt::print("{} ({}): {}\n", kernel.first, fmt::join(methods, ", "), kernel.second);
@@ -69,8 +78,9 @@ void addKernelsCommand(CLI::App& app) {
                    "Lists of features of bmfr's fit besides the default, separated by semicolons")
       ->delimiter(';');
   command
-      ->add_option("--mapping", options->mapping, "Pixels per work-item: 1 (narrow, GPUs) or 16 (wide, CPUs)")
-      ->check(CLI::IsMember({"narrow", "wide"}))
+      ->add_option("--mapping", options->mapping,
+                   "Pixels per work-item: 1 (narrow, GPUs), 4, 8 or 16 (wide4, wide8, wide16, CPUs)")
+      ->check(CLI::IsMember(fixedMappings()))
       ->capture_default_str();
   command
       ->add_option("--images", options->images,

@@ -19,7 +19,7 @@ enum class ImageSets {
 using KernelVariants = std::map<std::pair<std::string, std::string>, std::set<std::string>>;
 
 /// Adds what `method` compiles under every combination of its switches and choices, with these features where it fits
-/// any (empty: the default) and other settings at their defaults, for a device with `lanes` pixels per work-item (1: a GPU, 16: a CPU) that allows work-groups of
+/// any (empty: the default) and other settings at their defaults, for a device with `lanes` pixels per work-item (1: a GPU, more: a CPU) that allows work-groups of
 /// `maxWorkGroup`. Combinations that the library refuses are left out. Throws Error(UnknownSetting) for an unknown
 /// method, Error(OutOfRange) for features that are none.
 void addKernelVariants(KernelVariants& variants, const std::string& method, ImageSets images, int lanes,

@@ -45,8 +45,9 @@ struct Candidate {
 // drift of the machine shows.
 std::vector<Candidate> candidates(Mapping usual) {
   std::vector<Candidate> all = {{usual, {0, 0}, 0}};
+  for (const MappingFacts& facts : kMappings)
+    if (facts.lanes > 0) all.push_back({facts.mapping, {0, 0}, 0});
   for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-    if (mapping != usual) all.push_back({mapping, {0, 0}, 0});
     for (const std::array<int, 2> group :
          {std::array<int, 2>{1, 1}, {4, 1}, {16, 1}, {64, 1}, {256, 1}, {8, 8}, {32, 8}})
       all.push_back({mapping, group, 0});
@@ -56,10 +57,12 @@ std::vector<Candidate> candidates(Mapping usual) {
   return all;
 }
 
-int lanesOf(Mapping mapping) { return mapping == Mapping::Wide ? kWideLanes : kNarrowLanes; }
+int lanesOf(Mapping mapping, const DeviceTraits& device) {
+  return mapping == Mapping::Wide ? device.nativeLanes : factsOf(mapping).lanes;
+}
 
 std::string nameOf(const StageTuning& tuning) {
-  std::string name = tuning.lanes > 1 ? "wide" : "narrow";
+  std::string name = mappingWith(tuning.lanes)->name;
   if (tuning.workGroup[0] > 0) name += fmt::format(", {}x{}", tuning.workGroup[0], tuning.workGroup[1]);
   if (tuning.fitGroup > 0) name += fmt::format(", {} a block or tile", tuning.fitGroup);
   return name;
@@ -69,13 +72,13 @@ std::string nameOf(const StageTuning& tuning) {
 using StageTimes = std::map<std::string, std::vector<double>>;
 
 // What pays; prints a line for every stage.
-DeviceTuning choose(const StageTimes& times, const std::vector<Candidate>& all) {
+DeviceTuning choose(const StageTimes& times, const std::vector<Candidate>& all, const DeviceTraits& device) {
   DeviceTuning tuning;
   fmt::print("\n  {:<26}{:>10}{:>10}  {}\n", "stage (ms)", "usual", "best", "tuned to");
   for (const auto& [stage, ms] : times) {
     const double usual = std::min(ms.front(), ms.back());
     const auto best = static_cast<std::size_t>(std::min_element(ms.begin(), ms.end()) - ms.begin());
-    const StageTuning found = {lanesOf(all[best].mapping), all[best].workGroup, all[best].fitGroup};
+    const StageTuning found = {lanesOf(all[best].mapping, device), all[best].workGroup, all[best].fitGroup};
     const bool pays = ms[best] < usual * (1.0 - kLeastGain);
     if (pays) tuning[stage] = found;
     fmt::print("  {:<26}{:>10.3f}{:>10.3f}  {}\n", stage, usual, ms[best], pays ? nameOf(found) : "as it is");
@@ -119,7 +122,7 @@ DeviceTuning measure(const TuneOptions& options, const DeviceTraits& device) {
       progress.step(method);
     }
   }
-  return choose(times, all);
+  return choose(times, all, device);
 }
 
 void runTuneDevice(const TuneOptions& options) {
