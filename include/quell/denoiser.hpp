@@ -28,8 +28,8 @@ enum class TimerMode {
 enum class Mapping {
   Automatic,  ///< as measured by `quell tune-device`, else Wide on CPU devices, Narrow elsewhere
   Narrow,     ///< one pixel a work-item
-  Wide,       ///< as many pixels of a row a work-item as fill the device's native vector of floats: 4, 8 or 16
-  Wide4,      ///< four of them, whatever the device
+  Wide,   ///< as many pixels of a row a work-item as fill the device's native vector of floats: 4, 8 or 16
+  Wide4,  ///< four of them, whatever the device
   Wide8,
   Wide16,
 };

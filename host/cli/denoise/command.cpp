@@ -196,11 +196,10 @@ void addFurtherOptions(CLI::App* command, FurtherOutputs& further) {
 void addInputOptions(CLI::App* command, const std::shared_ptr<DenoiseOptions>& options) {
   command->add_option(
       "--input", options->input,
-      "OpenEXR files as a renderer writes them: one file, a directory, or several, by their names "
-      "one by one or as shot_####.exr, shot_%04d.exr or a glob (docs/frames-from-my-renderer.md), "
-      "or a sequence in the layout of data/README.md; without it a built-in sequence is made up. "
-      "Files of renderers need colour, normal, and both of position and depth, or one of them and "
-      "a camera");
+      "OpenEXR files as a renderer writes them: one or several, a directory, shot_####.exr, "
+      "shot_%04d.exr or a glob (docs/frames-from-my-renderer.md), or a sequence in the layout of "
+      "data/README.md; without it a built-in sequence is made up. Files of renderers need colour, "
+      "normal, and both of position and depth, or one of them and a camera");
   command->add_option("--frames", options->frames, "Frames A-B (A:B where one is negative); default: all");
   command
       ->add_option("--missing", options->missing,
