@@ -6,8 +6,8 @@
 #include "host/check/projection.hpp"
 #include "host/check/view.hpp"
 #include "host/cli/common/command_arguments.hpp"
+#include "tests/check/plane_frames.hpp"
 #include "tests/support/check_kinds.hpp"
-#include "tests/support/plane_frames.hpp"
 
 using namespace quell;
 using namespace quell::tests;

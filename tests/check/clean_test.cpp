@@ -3,8 +3,8 @@
 #include <string>
 
 #include "host/analytic/sequence.hpp"
+#include "tests/check/plane_frames.hpp"
 #include "tests/support/check_kinds.hpp"
-#include "tests/support/plane_frames.hpp"
 
 namespace quell::tests {
 namespace {

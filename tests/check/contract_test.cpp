@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/check/plane_frames.hpp"
 #include "tests/support/check_kinds.hpp"
-#include "tests/support/plane_frames.hpp"
 
 namespace quell::tests {
 namespace {

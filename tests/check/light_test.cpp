@@ -6,8 +6,8 @@
 #include "host/analytic/sequence.hpp"
 #include "host/check/noise.hpp"
 #include "host/check/reference_checks.hpp"
+#include "tests/check/plane_frames.hpp"
 #include "tests/support/check_kinds.hpp"
-#include "tests/support/plane_frames.hpp"
 #include "tests/support/tool.hpp"
 
 using namespace quell;

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "host/check/view.hpp"
+#include "tests/check/plane_frames.hpp"
 #include "tests/support/check_kinds.hpp"
-#include "tests/support/plane_frames.hpp"
 
 using namespace quell;
 using namespace quell::tests;

@@ -5,7 +5,7 @@
 
 #include "host/io/exr_image.hpp"
 #include "host/io/png_image.hpp"
-#include "tests/support/plane_frames.hpp"
+#include "tests/check/plane_frames.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/tool.hpp"
 

@@ -1,4 +1,4 @@
-#include "tests/support/plane_frames.hpp"
+#include "tests/check/plane_frames.hpp"
 
 #include <algorithm>
 #include <cmath>
