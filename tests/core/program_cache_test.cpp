@@ -264,7 +264,7 @@ TEST_CASE("a build error carries the log with file and line of the kernel source
     INFO(error.got());
     CHECK(error.got().find("CL_BUILD_PROGRAM_FAILURE") != std::string::npos);
     CHECK(error.got().find("common/lanes.h:" + std::to_string(line)) != std::string::npos);
-    CHECK(error.got().find("QUELL_LANES must be 1 or 16") != std::string::npos);
+    CHECK(error.got().find("QUELL_LANES must be 1, 4, 8 or 16") != std::string::npos);
   }
   CHECK(directory.entryCount() == 0);
 }
