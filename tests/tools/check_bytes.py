@@ -37,7 +37,7 @@ def run(tool, plugin, folder, arguments):
     counts, report = os.path.join(folder, "touched.jsonl"), os.path.join(folder, "report.json")
     environment = dict(os.environ, TOUCHED_BYTES=counts, TOUCHED_RECORDS=RECORDS, TOUCHED_IMAGE=f"{WIDTH}x{HEIGHT}+{sky_rows(arguments)}", OCLGRIND_PLUGINS=plugin)
     command = ["oclgrind", "--build-options", BUILD, tool, "denoise", "--device", "oclgrind", "--no-cache", "--mapping",
-               "wide", "--timers", "host", "--size", f"{WIDTH}x{HEIGHT}", "--frame-count", str(FRAMES), "--still-camera", "--json", report]
+               "wide16", "--timers", "host", "--size", f"{WIDTH}x{HEIGHT}", "--frame-count", str(FRAMES), "--still-camera", "--json", report]
     subprocess.run(command + arguments, env=environment, check=True, stdout=subprocess.DEVNULL)
     with open(report) as file:
         stages = json.load(file)["stages"]
