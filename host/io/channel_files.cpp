@@ -10,7 +10,6 @@
 namespace quell::io {
 namespace {
 
-constexpr char kStage[] = "open sequence";
 /// What may stand between a pass and the number of the frame.
 constexpr char kSeparators[] = "._-";
 

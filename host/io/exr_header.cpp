@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "host/io/exr_attributes.hpp"
 #include "host/io/exr_open.hpp"
 
 namespace quell::io {
@@ -103,6 +104,7 @@ std::string nameInFile(const ExrHeader& header, const ExrPart& part, const std::
 void requirePlausibleHeader(const std::string& path) {
   const HeaderReader reader(path);
   const std::int64_t fileBytes = std::int64_t(std::filesystem::file_size(path));
+  requireAttributesWithin(path, fileBytes);
   std::int64_t tableBytes = 0;
   for (int part = 0; part < reader.parts(); ++part) {
     if (reader.isDeep(part)) throw std::invalid_argument("deep pixels, of several samples each");

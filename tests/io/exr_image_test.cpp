@@ -170,6 +170,29 @@ TEST_CASE("a header that claims a huge image is refused before memory is taken f
   REQUIRE_THROWS_MATCHES(readExr(path), Error, failsWith(ErrorCode::FileError, {"1000001x1001"}));
 }
 
+TEST_CASE(
+    "attributes longer than the file, or than their type, are refused before memory is taken for them") {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("a.exr");
+  writeExr(path, Image(2, 2, 3));
+  const std::string bytes = readFile(path);
+  // The length stands behind the names of the attribute and of its type, little-endian.
+  const auto withLength = [&](const std::string& names, const std::string& length) {
+    std::string changed = bytes;
+    const std::size_t begin = changed.find(names);
+    REQUIRE(begin != std::string::npos);
+    changed.replace(begin + names.size(), length.size(), length);
+    writeTextFile(path, changed);
+  };
+  const std::string pixelAspect("pixelAspectRatio\0float\0", 23);
+  withLength(pixelAspect, std::string("\0\0\0\x70", 4));
+  REQUIRE_THROWS_MATCHES(readExr(path), Error, failsWith(ErrorCode::FileError, {"a.exr"}));
+  withLength(pixelAspect, std::string("\x05\0\0\0", 4));
+  REQUIRE_THROWS_MATCHES(readExr(path), Error, failsWith(ErrorCode::FileError, {"a.exr"}));
+  withLength(std::string("channels\0chlist\0", 16), std::string("\x13\0\0\0", 4));
+  REQUIRE_THROWS_MATCHES(readExr(path), Error, failsWith(ErrorCode::FileError, {"a.exr"}));
+}
+
 TEST_CASE("sizes that differ are named") {
   REQUIRE_NOTHROW(requireSize(Image(4, 3, 1), 4, 3, "b.exr"));
   REQUIRE_THROWS_MATCHES(requireSize(Image(4, 3, 1), 4, 5, "b.exr"), Error,

@@ -1,0 +1,22 @@
+// Entries of the cache of kernels, and the tuning of a device, which is kept as one.
+#include "host/core/disk_cache.hpp"
+#include "host/core/tuning.hpp"
+#include "tests/fuzz/reader.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+  using namespace quell;
+  namespace fs = std::filesystem;
+  const std::string directory =
+      fs::path(fuzz::asFile(bytes, count, "entry")).parent_path().string() + "/cache";
+  const DiskCache disk(directory);
+  // The text of a tuning within an intact entry, then an entry that is these bytes.
+  writeTuning(disk, "device", {});
+  std::string entry;
+  for (const auto& file : fs::directory_iterator(directory)) entry = file.path().string();
+  disk.write("quell tuning 1\ndevice", DiskCache::Bytes(bytes, bytes + count));
+  readTuning(disk, "device");
+  if (!entry.empty())
+    fs::copy_file(fuzz::asFile(bytes, count, "entry"), entry, fs::copy_options::overwrite_existing);
+  readTuning(disk, "device");
+  return 0;
+}

@@ -1,0 +1,22 @@
+// OpenEXR files: header, samples, and as a frame with all passes.
+#include "host/io/exr_image.hpp"
+#include "host/io/frame_sequence.hpp"
+#include "tests/fuzz/reader.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+  using namespace quell;
+  const std::string path = fuzz::asFile(bytes, count, "frame_0001.exr");
+  fuzz::attempt([&] {
+    const io::ExrHeader header = io::readExrHeader(path);
+    // What the header claims is checked against the file's length, not against this: large pictures are slow here.
+    constexpr long kMostPixels = 1 << 16;
+    if (static_cast<long>(header.width) * header.height > kMostPixels) return;
+    fuzz::attempt([&] { io::readExr(path); });
+    fuzz::attempt([&] { io::readExr(path, {header.channels.front()}); });
+    fuzz::attempt([&] {
+      const auto sequence = io::openSequence(path);
+      sequence->read(sequence->frames().front());
+    });
+  });
+  return 0;
+}

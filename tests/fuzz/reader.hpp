@@ -1,0 +1,38 @@
+// What the fuzzers of readers share: the input as a file, and what a reader may do with it.
+#pragma once
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <quell/error.hpp>
+#include <string>
+
+namespace quell::fuzz {
+
+/// A file of these bytes, the same path for all inputs of a process. `name` decides what some readers take it for.
+inline std::string asFile(const std::uint8_t* bytes, std::size_t count, const std::string& name) {
+  namespace fs = std::filesystem;
+  static const fs::path directory = [] {
+    const fs::path path = fs::temp_directory_path() / ("quell_fuzz_" + std::to_string(::getpid()));
+    fs::create_directories(path);
+    return path;
+  }();
+  const std::string path = (directory / name).string();
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+  return path;
+}
+
+/// Readers refuse with Error. Anything else that leaves them is a fault and ends the fuzzer.
+template <typename Read>
+void attempt(Read read) {
+  try {
+    read();
+  } catch (const Error&) {
+  }
+}
+
+}  // namespace quell::fuzz
