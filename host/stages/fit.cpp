@@ -64,9 +64,9 @@ Fit::Fit(const Configuration& configuration, const FitFeatures& features, const 
 void Fit::build(const KernelBuilder& builder) {
   const Configuration& configuration = builder.configuration();
   const auto lanes = static_cast<std::size_t>(configuration.device.lanes);
-  // 256 logical lanes are shared out, so lanes and work-items together must not exceed them; the pivot of each of up to
-  // 16 features comes from a lane of its own, so they must not be fewer either.
-  const std::size_t least = std::max<std::size_t>(1, QUELL_MOST_FEATURES / lanes);
+  // 256 logical lanes are shared out, so lanes and work-items together must not exceed them. On GPUs the pivot of each of
+  // up to 16 features comes from a register of another work-item, so there must not be fewer either.
+  const std::size_t least = lanes > 1 ? 1 : QUELL_MOST_FEATURES;
   std::size_t group = std::min(builder.groupSize(configuration.options.fitGroup, lanes > 1 ? 1 : kGpuGroup),
                                kGpuGroup / lanes);
   group = std::max(group, least);

@@ -41,7 +41,7 @@ struct Options {
   /// else chosen from what device and kernel allow.
   std::array<int, 2> workGroup{0, 0};
   /// Work-items that share a block in the fit, a power of two up to 256; 0: chosen. Brought into the range of
-  /// the kernel: 16 to 256 (`householder`) or 2 to 256 (`gram`), with the wide mapping 1 to 16 or 1.
+  /// the kernel: 16 to 256 (`householder`) or 2 to 256 (`gram`), with the wide mappings 1 to 256 by their lanes, or 1.
   int fitGroup = 0;
   /// Where compiled kernels are kept. Absent: $XDG_CACHE_HOME/quell or ~/.cache/quell; empty string: nowhere; on
   /// PoCL every denoiser then compiles its kernels from source, since to take their binaries compiles them twice.
