@@ -15,13 +15,8 @@ QUELL_INLINE void accumulateSignal(__global const float* fitted, __global const 
   const PlaneParams planes = params.planes;
   const float3L newest = loadLanes3(fitted, 0, planes.stride);
   float3L sum = splat3(0.0f);
-  floatL weightSum = ZERO_LANES;
-  for (int i = 0; i < 4; ++i) {
-    const floatL weight = (mask & QUELL_TAP_ACCEPTED(i)) != 0 ? taps.weight[i] : ZERO_LANES;
-    const float3L tap = gatherLanes3(history + tapOffset(planes, i), taps.plan, planes.stride);
-    sum = add3(sum, scale3(tap, weight));
-    weightSum += weight;
-  }
+  for (int i = 0; i < 4; ++i) taps.inFrame[i] = (mask & QUELL_TAP_ACCEPTED(i)) != 0;
+  const floatL weightSum = sumTaps(history, planes, taps, &sum);
   const intL hasHistory = weightSum > 0.0f;
   const float3L mean = scale3(sum, 1.0f / (hasHistory ? weightSum : ONE_LANES));
   const floatL cumulative = 1.0f / maxLanes(length, ONE_LANES);

@@ -134,19 +134,6 @@ QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global con
   return prev;
 }
 
-// Adds the history's radiance at the taps inside the frame to `sum`; returns their weight.
-QUELL_INLINE floatL addHistory(__global const float* antialiasedPrev, PlaneParams planes, BilinearTaps taps,
-                               float3L* sum) {
-  floatL weightSum = ZERO_LANES;
-  for (int i = 0; i < 4; ++i) {
-    const floatL weight = taps.inFrame[i] ? taps.weight[i] : ZERO_LANES;
-    const float3L tap = gatherLanes3(antialiasedPrev + tapOffset(planes, i), taps.plan, planes.stride);
-    *sum = add3(*sum, scale3(tap, weight));
-    weightSum += weight;
-  }
-  return weightSum;
-}
-
 QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA, floatL highB) {
   return minLanes(maxLanes(v, 0.5f * (lowA + lowB)), 0.5f * (highA + highB));
 }
@@ -172,8 +159,7 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
 
   const BilinearTaps taps = bilinearTaps(planes, prev.x, prev.y);
   float3L sum = splat3(0.0f);
-  const floatL weightSum = isOneRun(taps.plan) ? addHistory(antialiasedPrev, planes, tapsInOneRun(taps), &sum)
-                                               : addHistory(antialiasedPrev, planes, taps, &sum);
+  const floatL weightSum = sumTaps(antialiasedPrev, planes, taps, &sum);
   const intL hasHistory = historyCounts(reprojectionMask, planes, x, y) && weightSum > 0.0f;
   float3L history = toYCoCg(scale3(sum, 1.0f / (hasHistory ? weightSum : ONE_LANES)));
   history.x = clampToMean(history.x, box.low.x, cross.low.x, box.high.x, cross.high.x);

@@ -107,6 +107,21 @@ QUELL_INLINE BilinearTaps tapsInOneRun(BilinearTaps taps) {
 // Distance in elements from tap (0,0) to tap i.
 QUELL_INLINE int tapOffset(PlaneParams planes, int i) { return (i & 1) + (i >> 1) * planes.pitch; }
 
+// Adds the three planes at the taps in the frame to `sum`; returns their weight.
+QUELL_INLINE floatL addTaps(__global const float* from, PlaneParams planes, BilinearTaps taps, float3L* sum) {
+  floatL weightSum = ZERO_LANES;
+  for (int i = 0; i < 4; ++i) {
+    const floatL weight = taps.inFrame[i] ? taps.weight[i] : ZERO_LANES;
+    *sum = add3(*sum, scale3(gatherLanes3(from + tapOffset(planes, i), taps.plan, planes.stride), weight));
+    weightSum += weight;
+  }
+  return weightSum;
+}
+QUELL_INLINE floatL sumTaps(__global const float* from, PlaneParams planes, BilinearTaps taps, float3L* sum) {
+  return isOneRun(taps.plan) ? addTaps(from, planes, tapsInOneRun(taps), sum)
+                             : addTaps(from, planes, taps, sum);
+}
+
 // Is the normal of a history sample that of this surface? World space: a surface that turns keeps its history while it
 // turns by less than the limit in a frame.
 QUELL_INLINE intL sameNormal(ReprojectionParams params, Surface surface, float3L normalPrev) {
