@@ -9,6 +9,13 @@ namespace {
 // PoCL 3.1. It keeps the machine code that it launches in a cache of its own, so nothing is lost without binaries.
 constexpr char kPoclPlatform[] = "Portable Computing Language";
 
+/// The first that fits; null where none does.
+template <class Fits>
+const MappingFacts* findFacts(Fits fits) {
+  const auto found = std::find_if(std::begin(kMappings), std::end(kMappings), fits);
+  return found == std::end(kMappings) ? nullptr : found;
+}
+
 /// What fills a vector register, as far as the device says so and kernels are written for it.
 int nativeLanesOf(const cl::Device& device) {
   const auto width = static_cast<int>(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
@@ -21,14 +28,15 @@ int nativeLanesOf(const cl::Device& device) {
 }  // namespace
 
 const MappingFacts& factsOf(Mapping mapping) {
-  return *std::find_if(std::begin(kMappings), std::end(kMappings),
-                       [mapping](const MappingFacts& facts) { return facts.mapping == mapping; });
+  return *findFacts([mapping](const MappingFacts& facts) { return facts.mapping == mapping; });
+}
+
+const MappingFacts* mappingNamed(const std::string& name) {
+  return findFacts([&name](const MappingFacts& facts) { return facts.name == name; });
 }
 
 const MappingFacts* mappingWith(int lanes) {
-  const auto found = std::find_if(std::begin(kMappings), std::end(kMappings),
-                                  [lanes](const MappingFacts& facts) { return facts.lanes == lanes; });
-  return lanes > 0 && found != std::end(kMappings) ? found : nullptr;
+  return findFacts([lanes](const MappingFacts& facts) { return lanes > 0 && facts.lanes == lanes; });
 }
 
 DeviceTraits queryDeviceTraits(const cl::Device& device, Mapping mapping) {

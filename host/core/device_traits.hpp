@@ -20,6 +20,8 @@ constexpr MappingFacts kMappings[] = {{"automatic", Mapping::Automatic, 0}, {"na
 constexpr int kNarrowLanes = 1;
 
 const MappingFacts& factsOf(Mapping mapping);
+/// Null for an unknown name.
+const MappingFacts* mappingNamed(const std::string& name);
 /// The mapping that has so many lanes whatever the device; null for another number.
 const MappingFacts* mappingWith(int lanes);
 

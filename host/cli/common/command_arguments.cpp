@@ -79,8 +79,7 @@ void addDeviceArguments(CLI::App& command, DeviceArguments& arguments) {
 Options makeOptions(const DeviceArguments& arguments, TimerMode timers) {
   Options result;
   result.timers = timers;
-  for (const MappingFacts& facts : kMappings)
-    if (arguments.mapping == facts.name) result.mapping = facts.mapping;
+  result.mapping = mappingNamed(arguments.mapping)->mapping;  // the option takes no other names
   if (arguments.noCache) {
     result.cacheDirectory = "";
   } else if (!arguments.cacheDirectory.empty()) {

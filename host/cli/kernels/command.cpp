@@ -50,9 +50,7 @@ std::vector<std::string> fixedMappings() {
 }
 
 void runKernels(const KernelsOptions& options) {
-  int lanes = 0;
-  for (const MappingFacts& facts : kMappings)
-    if (options.mapping == facts.name) lanes = facts.lanes;
+  const int lanes = mappingNamed(options.mapping)->lanes;  // the option takes no other names
   const bool wide = lanes != kNarrowLanes;
   const ImageSets images = options.images == "all" ? ImageSets::All : ImageSets::Typical;
   KernelVariants variants;

@@ -43,10 +43,11 @@ struct Candidate {
 
 // Rows for coalescing, blocks for reuse in caches. `usual`, the library's own choice, comes first and last, so that
 // drift of the machine shows.
-std::vector<Candidate> candidates(Mapping usual) {
+std::vector<Candidate> candidates(const DeviceTraits& device) {
+  const Mapping usual = device.lanes > 1 ? Mapping::Wide : Mapping::Narrow;
   std::vector<Candidate> all = {{usual, {0, 0}, 0}};
   for (const MappingFacts& facts : kMappings)
-    if (facts.lanes > 0) all.push_back({facts.mapping, {0, 0}, 0});
+    if (facts.lanes > 0 && facts.lanes != device.lanes) all.push_back({facts.mapping, {0, 0}, 0});
   for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
     for (const std::array<int, 2> group :
          {std::array<int, 2>{1, 1}, {4, 1}, {16, 1}, {64, 1}, {256, 1}, {8, 8}, {32, 8}})
@@ -113,7 +114,7 @@ DeviceTuning measure(const TuneOptions& options, const DeviceTraits& device) {
   const auto sequence = io::makeAnalyticSequence(analytic);
   std::vector<io::FrameData> frames;  // read once: to make one up takes longer than to denoise it
   for (const int frame : sequence->frames()) frames.push_back(sequence->read(frame));
-  const std::vector<Candidate> all = candidates(device.lanes > 1 ? Mapping::Wide : Mapping::Narrow);
+  const std::vector<Candidate> all = candidates(device);
   Progress progress(kCommand, options.methods.size() * all.size());
   StageTimes times;
   for (const std::string& method : options.methods) {
