@@ -231,7 +231,7 @@ __kernel void accumulate_noisy(STAGE_ARGUMENTS(ACCUMULATE_NOISY) AccumulateNoisy
   }
   const intL wanted = inside && surface.valid;
   intL met = (intL)(0);  // lanes that have a history in any signal
-  Turn turn = beginTurn(params.reprojection, planes, surface, xPrev, yPrev);
+  Turn turn = beginTurn(params.reprojection, planes, surface, x, y, xPrev, yPrev);
   if (anyLane(wanted)) {
     // Written out the usual case keeps its sums in registers; written out as well the other one is long to compile.
     if (isOneRun(taps.plan)) {

@@ -80,16 +80,17 @@ QuellFloat4 combine(const Row& a, double scaleA, const Row& b, double scaleB) {
   return toFloat4(scaleA * a.linear + scaleB * b.linear, scaleA * a.constant + scaleB * b.constant);
 }
 
-// Rows that give pixel indices in the frame before, the viewport folded in. This frame's jitter is taken off,
-// as Koskela et al. 2019 do: a sample counts for its pixel's centre in every frame, so what a still camera sees
-// keeps its pixel and its history averages the samples of that pixel.
-void setPreviousRows(ReprojectionParams& params, const Camera& camera, Size size, glm::dvec3 origin) {
-  const Row x = rowRelativeTo(camera.worldToClipPrev, 0, origin);
-  const Row y = rowRelativeTo(camera.worldToClipPrev, 1, origin);
-  const Row w = rowRelativeTo(camera.worldToClipPrev, 3, origin);
-  params.pixelXPrev = combine(x, 0.5 * size.width, w, 0.5 * size.width - 0.5 - camera.jitterPx[0]);
-  params.pixelYPrev = combine(y, -0.5 * size.height, w, 0.5 * size.height - 0.5 - camera.jitterPx[1]);
-  params.clipWPrev = toFloat4(w.linear, w.constant);
+// Rows that give pixel indices, the viewport folded in, and clip.w.
+struct PixelRows {
+  QuellFloat4 x, y, w;
+};
+
+PixelRows pixelRows(const Matrix4& worldToClip, Size size, glm::dvec3 origin) {
+  const Row x = rowRelativeTo(worldToClip, 0, origin);
+  const Row y = rowRelativeTo(worldToClip, 1, origin);
+  const Row w = rowRelativeTo(worldToClip, 3, origin);
+  return {combine(x, 0.5 * size.width, w, 0.5 * size.width - 0.5),
+          combine(y, -0.5 * size.height, w, 0.5 * size.height - 0.5), toFloat4(w.linear, w.constant)};
 }
 
 // Camera-relative points at view depth 1 through pixel indices; zero for orthographic cameras, whose
@@ -140,16 +141,21 @@ ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const
   const glm::dvec3 high(roundedToFloat(origin.x), roundedToFloat(origin.y), roundedToFloat(origin.z));
   params.cameraHigh = toFloat4(high, 0.0);
   params.cameraLow = toFloat4(origin - high, 0.0);
-  const Row w = rowRelativeTo(camera.worldToClip, 3, origin);
-  params.clipW = toFloat4(w.linear, w.constant);
-  const Row axis = isOrthographic(camera.worldToClip) ? rowRelativeTo(camera.worldToClip, 2, origin) : w;
+  const PixelRows rows = pixelRows(camera.worldToClip, size, origin);
+  params.pixelX = rows.x;
+  params.pixelY = rows.y;
+  params.clipW = rows.w;
+  const Row axis = rowRelativeTo(camera.worldToClip, isOrthographic(camera.worldToClip) ? 2 : 3, origin);
   params.viewDepth = toFloat4(axis.linear / glm::length(axis.linear), 0.0);
   setViewRays(params, camera, size);
 
   if (historyValid) {
     const glm::dvec3 originPrev = position(camera.worldToClipPrev, "worldToClipPrev");
     params.cameraMotion = toFloat4(originPrev - origin, 0.0);
-    setPreviousRows(params, camera, size, origin);
+    const PixelRows rowsPrev = pixelRows(camera.worldToClipPrev, size, origin);
+    params.pixelXPrev = rowsPrev.x;
+    params.pixelYPrev = rowsPrev.y;
+    params.clipWPrev = rowsPrev.w;
   }
 
   // A pixel covers 2 / size of normalised device coordinates, so at clip.w = 1 this many scene units.

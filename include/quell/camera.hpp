@@ -22,7 +22,8 @@ struct Camera {
 
   /// Where inside the pixel the primary rays of this frame went: sample position minus pixel centre, in
   /// pixels, x right, y down, each within kMaxJitterPx. Zero means the pixel centre. History lives on pixel
-  /// centres, so nothing depends on the offset of the frame before.
+  /// centres and moves as surfaces do, so neither the offset of the frame before nor offsets of each pixel's own count
+  /// there; where there is no position image, positions are made along these rays.
   std::array<double, 2> jitterPx{0.0, 0.0};
 };
 

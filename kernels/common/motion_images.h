@@ -33,7 +33,8 @@ QUELL_INLINE intL findPrevious(FrameImages images, ReprojectionParams reprojecti
 #else
   // Background moves like a point at infinity.
   const float3L target = select3(surface.valid, surface.position, viewRay(reprojection, column, row));
-  return reproject(reprojection, target, !surface.valid, planes.width, planes.height, xPrev, yPrev);
+  return reproject(reprojection, target, !surface.valid, column, row, planes.width, planes.height, xPrev,
+                   yPrev);
 #endif
 }
 
@@ -71,8 +72,8 @@ typedef struct Turn {
   floatL longest;
 } Turn;
 
-QUELL_INLINE Turn beginTurn(ReprojectionParams reprojection, PlaneParams planes, Surface surface,
-                            floatL xPrev, floatL yPrev) {
+QUELL_INLINE Turn beginTurn(ReprojectionParams reprojection, PlaneParams planes, Surface surface, int x,
+                            int y, floatL xPrev, floatL yPrev) {
   Turn turn;
   turn.normal = splat3(0.0f);
   turn.weight = ZERO_LANES;
@@ -80,8 +81,8 @@ QUELL_INLINE Turn beginTurn(ReprojectionParams reprojection, PlaneParams planes,
   turn.longest = (floatL)(QUELL_MAX_HISTORY_LENGTH);
 #if MOTION_FORMAT
   floatL xAtRest, yAtRest;
-  const intL inside =
-      reproject(reprojection, surface.position, (intL)(0), planes.width, planes.height, &xAtRest, &yAtRest);
+  const intL inside = reproject(reprojection, surface.position, (intL)(0), TO_FLOAT(x + LANE_INDEX),
+                                (floatL)((float)y), planes.width, planes.height, &xAtRest, &yAtRest);
   turn.moving = !(inside && absLanes(xPrev - xAtRest) <= QUELL_MOVING_PX &&
                   absLanes(yPrev - yAtRest) <= QUELL_MOVING_PX);
 #endif

@@ -57,15 +57,27 @@ QUELL_INLINE intL placeInFrame(intL wanted, floatL x, floatL y, int width, int h
   return stillInside;
 }
 
-// Pixel index in the frame before, by matrices; not inside where it is behind the camera. See placeInFrame().
-QUELL_INLINE intL reproject(ReprojectionParams params, float3L position, intL isDirection, int width,
-                            int height, floatL* xPrev, floatL* yPrev) {
+// A row applied to a position, or to the point at infinity in its direction where `translate` is 0.
+QUELL_INLINE floatL applyRow(QuellFloat4 row, float3L position, floatL translate) {
+  return linear(row, position) + translate * row.w;
+}
+
+// Where the centre of pixel (x, y) was in the frame before, by matrices: it moved as what was sampled in the pixel did,
+// wherever in the pixel the sample lay. So neither jitter, nor one of each pixel's own, nor a camera that is off by a
+// part of a pixel moves history. Not inside where it is behind a camera. See placeInFrame().
+QUELL_INLINE intL reproject(ReprojectionParams params, float3L position, intL isDirection, floatL x, floatL y,
+                            int width, int height, floatL* xPrev, floatL* yPrev) {
   const floatL translate = isDirection ? ZERO_LANES : ONE_LANES;
-  const floatL w = linear(params.clipWPrev, position) + translate * params.clipWPrev.w;
+  const floatL w = applyRow(params.clipW, position, translate);
+  const floatL wPrev = applyRow(params.clipWPrev, position, translate);
   const floatL inverse = 1.0f / w;
-  const floatL x = (linear(params.pixelXPrev, position) + translate * params.pixelXPrev.w) * inverse;
-  const floatL y = (linear(params.pixelYPrev, position) + translate * params.pixelYPrev.w) * inverse;
-  return placeInFrame(w > 0.0f && params.historyValid != 0, x, y, width, height, xPrev, yPrev);
+  const floatL inversePrev = 1.0f / wPrev;
+  const floatL motionX = applyRow(params.pixelXPrev, position, translate) * inversePrev -
+                         applyRow(params.pixelX, position, translate) * inverse;
+  const floatL motionY = applyRow(params.pixelYPrev, position, translate) * inversePrev -
+                         applyRow(params.pixelY, position, translate) * inverse;
+  return placeInFrame(w > 0.0f && wPrev > 0.0f && params.historyValid != 0, x + motionX, y + motionY, width,
+                      height, xPrev, yPrev);
 }
 
 // The same by a motion vector (previous pixel minus this one, without jitter); not inside where it is NaN or Inf.

@@ -9,14 +9,15 @@
 QUELL_NAMESPACE_BEGIN
 
 typedef struct ReprojectionParams {
-  // Rows that take a position relative to this frame's camera, (x, y, z, 1), to (a, b, c): the surface point lay at
-  // pixel index (a / c, b / c) of the frame before (0 is the centre of the first pixel), less this frame's jitter; in
-  // front of it if c > 0.
+  // Rows that take a position relative to this frame's camera, (x, y, z, 1), to (a, b, c): the surface point lies at
+  // pixel index (a / c, b / c) of this frame (0 is the centre of the first pixel), in front of the camera if c > 0.
+  QuellFloat4 pixelX;
+  QuellFloat4 pixelY;
+  QuellFloat4 clipW;
+  // The same of the frame before.
   QuellFloat4 pixelXPrev;
   QuellFloat4 pixelYPrev;
   QuellFloat4 clipWPrev;
-  // Position relative to this frame's camera -> clip.w of this frame.
-  QuellFloat4 clipW;
   // Position relative to this frame's camera -> distance along the view axis, scene units.
   QuellFloat4 viewDepth;
   // World-space camera position of this frame = high + low (.xyz), so that (position - high) - low keeps float32.

@@ -76,6 +76,12 @@ std::array<double, 2> pixelPrev(const ReprojectionParams& params, const Vector& 
   return {affine(params.pixelXPrev, p) / w, affine(params.pixelYPrev, p) / w};
 }
 
+std::array<double, 2> pixelNow(const ReprojectionParams& params, const Vector& world) {
+  const auto p = relative(params, world);
+  const double w = affine(params.clipW, p);
+  return {affine(params.pixelX, p) / w, affine(params.pixelY, p) / w};
+}
+
 // Rounded to float, as a caller's position buffer holds it. Volatile: see roundedToFloat in reprojection.cpp.
 Vector rounded(const Vector& p) {
   const volatile float values[] = {float(p[0]), float(p[1]), float(p[2])};
@@ -92,8 +98,12 @@ void checkPoint(const Camera& camera, const Vector& point) {
   const auto expected = imagePosition(camera.worldToClipPrev, p);
   const auto got = pixelPrev(params, p);
   INFO("point " << p[0] << ", " << p[1] << ", " << p[2]);
-  CHECK(std::abs(got[0] - (expected[0] - 0.5 - camera.jitterPx[0])) < kPixelTolerance);
-  CHECK(std::abs(got[1] - (expected[1] - 0.5 - camera.jitterPx[1])) < kPixelTolerance);
+  CHECK(std::abs(got[0] - (expected[0] - 0.5)) < kPixelTolerance);
+  CHECK(std::abs(got[1] - (expected[1] - 0.5)) < kPixelTolerance);
+  const auto expectedNow = imagePosition(camera.worldToClip, p);
+  const auto gotNow = pixelNow(params, p);
+  CHECK(std::abs(gotNow[0] - (expectedNow[0] - 0.5)) < kPixelTolerance);
+  CHECK(std::abs(gotNow[1] - (expectedNow[1] - 0.5)) < kPixelTolerance);
 }
 
 }  // namespace
@@ -114,9 +124,11 @@ TEST_CASE("a camera that stands still sends every pixel to itself wherever its s
             depth * (params.rayOrigin.x + float(x) * params.rayX.x + float(y) * params.rayY.x),
             depth * (params.rayOrigin.y + float(x) * params.rayX.y + float(y) * params.rayY.y),
             depth * (params.rayOrigin.z + float(x) * params.rayX.z + float(y) * params.rayY.z)};
-        const double w = affine(params.clipWPrev, p);
-        CHECK(std::abs(affine(params.pixelXPrev, p) / w - x) < kPixelTolerance);
-        CHECK(std::abs(affine(params.pixelYPrev, p) / w - y) < kPixelTolerance);
+        const double w = affine(params.clipW, p), wPrev = affine(params.clipWPrev, p);
+        CHECK(std::abs(affine(params.pixelX, p) / w - x - camera.jitterPx[0]) < kPixelTolerance);
+        CHECK(std::abs(affine(params.pixelY, p) / w - y - camera.jitterPx[1]) < kPixelTolerance);
+        CHECK(affine(params.pixelXPrev, p) / wPrev == affine(params.pixelX, p) / w);
+        CHECK(affine(params.pixelYPrev, p) / wPrev == affine(params.pixelY, p) / w);
       }
     }
   }

@@ -69,16 +69,17 @@ class PixelOracle {
   }
 
  private:
-  // Background is a point at infinity.
+  // Background is a point at infinity. The pixel's centre moved as what was sampled in the pixel.
   Place reproject(const Surface& s) {
     const Vector3d target = s.valid ? s.position : viewRay(m_params, m_x, m_y);
     const double constant = s.valid ? 1.0 : 0.0;
     const auto apply = [&](const QuellFloat4& row) { return linearPart(row).dot(target) + constant * row.w; };
-    const double w = apply(m_params.clipWPrev);
-    const double x = apply(m_params.pixelXPrev) / w;
-    const double y = apply(m_params.pixelYPrev) / w;
+    const double w = apply(m_params.clipW), wPrev = apply(m_params.clipWPrev);
+    const double motionX = apply(m_params.pixelXPrev) / wPrev - apply(m_params.pixelX) / w;
+    const double motionY = apply(m_params.pixelYPrev) / wPrev - apply(m_params.pixelY) / w;
     doubt(w, 0.0, kRounding * target.norm());
-    return w > 0.0 ? placeAt(x, y) : Place();
+    doubt(wPrev, 0.0, kRounding * target.norm());
+    return w > 0.0 && wPrev > 0.0 ? placeAt(m_x + motionX, m_y + motionY) : Place();
   }
 
   Place followMotion() {
