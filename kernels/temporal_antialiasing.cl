@@ -5,16 +5,19 @@
 //          before, reprojection mask (of the first signal), view depth.
 // Out:     antialiased radiance as history (3 planes), for display in the caller's layout, and with ANTIALIAS_LINEAR as it
 //          is in the caller's layout.
-// Border:  neighbours and taps outside the image are left out and the bilinear weights renormalised.
+// Border:  neighbours and taps outside the image are left out and the weights of the taps renormalised.
 // Departures: radiance is blended, and encoded for display afterwards, as a pixel's area averages light: the reference
 //          blends encoded values and lets the newest frame weigh 0.2, which with a filter as steady as ours blurs more
-//          than it smooths (sweep, docs/quell-sweep.md). History is taken where the nearest surface of the 3x3 pixels was
-//          (Karis 2014), not where the pixel's own was. A pixel that was outside the frame before keeps the newest colour
+//          than it smooths (sweep, docs/quell-sweep.md), but less of it at silhouettes, where it shows one surface of two.
+//          History is sampled with Catmull-Rom weights, which do not blur it a little more every frame as bilinear ones do,
+//          and where the nearest surface of the 3x3 pixels was (Karis 2014), not where the pixel's own was. A pixel that was outside the frame before keeps the newest colour
 //          (the reference divides 0 by 0 there), and so does one whose history accumulation has rejected, if it did so for
 //          the pixels around as well: alone it is a silhouette, which antialiasing is for.
+#include "common/bicubic.h"
 #include "common/display_encoding.h"
 #include "common/guides.h"
-#include "common/reprojection.h"
+#include "common/image_access.h"
+#include "common/reprojection_params.h"
 #include "common/surfaces.h"
 #include "temporal_antialiasing_ports.h"
 
@@ -102,8 +105,13 @@ QUELL_INLINE intL historyCounts(__global const uchar* reprojectionMask, PlanePar
   return inFrame && !rejected;
 }
 
+QUELL_INLINE floatL depthOrFar(floatL depth, float backgroundDepth) {
+  return depth != backgroundDepth ? depth : (floatL)(FLT_MAX);
+}
+
 typedef struct PixelPrev {
   floatL x, y;
+  intL silhouette;  // whether the pixel or one around is clearly nearer than the other
 } PixelPrev;
 
 // Where the nearest surface of the 3x3 pixels around would have shown this pixel: a silhouette moves with what is in
@@ -113,18 +121,21 @@ QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global con
   const PlaneParams planes = params.planes;
   const int index = planeIndex(planes, x, y);
   const intL column = x + LANE_INDEX;
-  PixelPrev prev = {loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + planes.stride)};
-  const floatL own = loadLanes(viewDepth + index);
-  floatL nearest = own != params.backgroundDepth ? own : (floatL)(FLT_MAX);
+  PixelPrev prev = {loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + planes.stride), (intL)(0)};
+  const floatL own = depthOrFar(loadLanes(viewDepth + index), params.backgroundDepth);
+  floatL nearest = own;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
       if (dx == 0 && dy == 0) continue;
       const int neighbour = index + dy * planes.pitch + dx;
-      const floatL depth = loadLanes(viewDepth + neighbour);
-      intL nearer = depth != params.backgroundDepth && depth < QUELL_NEARER * nearest;
-      if (atBorder)
-        nearer = nearer && column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
-                 (intL)(y + dy) < planes.height;
+      floatL depth = depthOrFar(loadLanes(viewDepth + neighbour), params.backgroundDepth);
+      if (atBorder) {
+        const intL inside = column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
+                            (intL)(y + dy) < planes.height;
+        depth = inside ? depth : own;
+      }
+      prev.silhouette = prev.silhouette || depth < QUELL_NEARER * own || own < QUELL_NEARER * depth;
+      const intL nearer = depth < QUELL_NEARER * nearest;
       if (!anyLane(nearer)) continue;
       nearest = nearer ? depth : nearest;
       prev.x = nearer ? loadLanes(pixelPrev + neighbour) - (float)dx : prev.x;
@@ -132,6 +143,11 @@ QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global con
     }
   }
   return prev;
+}
+
+// Whether a pixel at index (x, y) would cover a part of the frame.
+QUELL_INLINE intL touchesFrame(PlaneParams planes, floatL x, floatL y) {
+  return x > -1.0f && x < (float)planes.width && y > -1.0f && y < (float)planes.height;
 }
 
 QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA, floatL highB) {
@@ -157,16 +173,15 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
   const Bounds box = around.box;
   const Bounds cross = around.cross;
 
-  const BilinearTaps taps = bilinearTaps(planes, prev.x, prev.y);
-  float3L sum = splat3(0.0f);
-  const floatL weightSum = sumTaps(antialiasedPrev, planes, taps, &sum);
-  const intL hasHistory = historyCounts(reprojectionMask, planes, x, y) && weightSum > 0.0f;
-  float3L history = toYCoCg(scale3(sum, 1.0f / (hasHistory ? weightSum : ONE_LANES)));
+  const intL hasHistory =
+      historyCounts(reprojectionMask, planes, x, y) && touchesFrame(planes, prev.x, prev.y);
+  const float3L sampled = sampleBicubic(antialiasedPrev, planes, bicubicTaps(planes, prev.x, prev.y));
+  float3L history = toYCoCg(sampled);
   history.x = clampToMean(history.x, box.low.x, cross.low.x, box.high.x, cross.high.x);
   history.y = clampToMean(history.y, box.low.y, cross.low.y, box.high.y, cross.high.y);
   history.z = clampToMean(history.z, box.low.z, cross.low.z, box.high.z, cross.high.z);
-  const float3L blended = add3(scale3(newest, (floatL)(params.newestWeight)),
-                               scale3(toRgb(history), (floatL)(1.0f - params.newestWeight)));
+  const floatL weight = prev.silhouette ? (floatL)(params.silhouetteWeight) : (floatL)(params.newestWeight);
+  const float3L blended = add3(scale3(newest, weight), scale3(toRgb(history), 1.0f - weight));
   const float3L result = clamp3(select3(hasHistory, blended, newest), 0.0f, QUELL_MAX_RADIANCE);
   storeLanes3(result, antialiased, index, stride);
   const int lanes = min(QUELL_LANES, planes.width - x);

@@ -9,8 +9,9 @@ QUELL_NAMESPACE_BEGIN
 typedef struct TemporalAntialiasingParams {
   PlaneParams planes;
   OutputImageParams outputs;
-  QuellFloat newestWeight;     // weight of the newest frame, (0, 1]
-  QuellFloat backgroundDepth;  // what pixels without a surface have as their view depth
+  QuellFloat newestWeight;      // weight of the newest frame, (0, 1]
+  QuellFloat silhouetteWeight;  // the same where surfaces clearly apart meet
+  QuellFloat backgroundDepth;   // what pixels without a surface have as their view depth
   QuellInt
       antialiasBackground;  // whether background takes part, as it must where rays are jittered; only with SKIP
 } TemporalAntialiasingParams;

@@ -37,7 +37,7 @@ inline DiscardLimits discardLimits(const DiscardSettings& s) {
 
 struct AntialiasingSettings {
   bool taa = false;
-  double taaNewestWeight = 0.0;
+  double taaNewestWeight = 0.0, taaJitteredWeight = 0.0, taaSilhouetteWeight = 0.0;
   bool jitteredRays = false;
 };
 
@@ -49,6 +49,11 @@ inline SettingTable<AntialiasingSettings> antialiasingSettings() {
   table.add("taaNewestWeight", &S::taaNewestWeight, 0.5, {0.001, 1.0},
             "weight of the newest frame in temporal antialiasing",
             "Koskela et al. 2019, reference implementation");
+  table.add("taaJitteredWeight", &S::taaJitteredWeight, 0.4, {0.001, 1.0},
+            "the same where rays are jittered: each frame's texture is one sample's, too",
+            "ours, docs/quell-sweep.md");
+  table.add("taaSilhouetteWeight", &S::taaSilhouetteWeight, 0.25, {0.001, 1.0},
+            "the same where surfaces clearly apart meet", "ours, docs/quell-sweep.md");
   table.add("jitteredRays", &S::jitteredRays, false,
             "primary rays are jittered inside their pixels: the linear output is antialiased over time as "
             "well, and "

@@ -42,8 +42,11 @@ void addOutputStages(Schedule& table, const Configuration& configuration, const 
   requireFBetaImages(configuration);
   if (skip) add(table, Background(configuration, {taa, always, linear}));
   add(table, Remodulate(configuration, {taa, linear, keepLight, skip}), {{"filtered", filtered}});
-  if (taa)
-    add(table, TemporalAntialiasing(configuration, {antialiasing.taaNewestWeight, linear, skip && !always}));
+  if (!taa) return;
+  const double newestWeight =
+      antialiasing.jitteredRays ? antialiasing.taaJitteredWeight : antialiasing.taaNewestWeight;
+  add(table, TemporalAntialiasing(configuration,
+                                  {newestWeight, antialiasing.taaSilhouetteWeight, linear, skip && !always}));
 }
 
 }  // namespace quell

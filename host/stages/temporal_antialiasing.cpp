@@ -9,7 +9,7 @@ namespace quell {
 QUELL_PORTS(TemporalAntialiasingOptions, TEMPORAL_ANTIALIASING)
 
 TemporalAntialiasing::TemporalAntialiasing(const Configuration& configuration, const Setup& setup)
-    : m_newestWeight(setup.newestWeight) {
+    : m_newestWeight(setup.newestWeight), m_silhouetteWeight(setup.silhouetteWeight) {
   QUELL_SIGNALS = signalCount(configuration.frame);
   setSkipOptions<TemporalAntialiasingOptions>(*this, configuration, setup.skip);
   ANTIALIAS_LINEAR = setup.antialiasLinear ? 1 : 0;
@@ -24,6 +24,7 @@ TemporalAntialiasingParams TemporalAntialiasing::params(const FrameRun& run) con
   params.planes = makePlanes(run.frame.size);
   params.outputs = makeImageParams(run.output, run.frame.size);
   params.newestWeight = static_cast<float>(m_newestWeight);
+  params.silhouetteWeight = static_cast<float>(m_silhouetteWeight);
   params.backgroundDepth = run.reprojection.viewDepth.w;
   params.antialiasBackground = isJittered(run.frame.camera) ? 1 : 0;
   return params;

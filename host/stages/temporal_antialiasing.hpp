@@ -12,8 +12,9 @@ QUELL_OPTIONS(TemporalAntialiasingOptions, TEMPORAL_ANTIALIASING, "temporal_anti
 class TemporalAntialiasing : public KernelStage<TemporalAntialiasingOptions, TemporalAntialiasingParams> {
  public:
   struct Setup {
-    double newestWeight = 0.2;     ///< of the newest frame, (0, 1]
-    bool antialiasLinear = false;  ///< writes the linear image as well
+    double newestWeight = 0.2;      ///< of the newest frame, (0, 1]
+    double silhouetteWeight = 0.2;  ///< the same where surfaces clearly apart meet
+    bool antialiasLinear = false;   ///< writes the linear image as well
     bool skip = false;  ///< leaves background to the stage background, unless the camera is jittered
   };
   TemporalAntialiasing(const Configuration& configuration, const Setup& setup);
@@ -23,7 +24,7 @@ class TemporalAntialiasing : public KernelStage<TemporalAntialiasingOptions, Tem
   TemporalAntialiasingParams params(const FrameRun& run) const override;
 
  private:
-  double m_newestWeight;
+  double m_newestWeight, m_silhouetteWeight;
 };
 
 }  // namespace quell

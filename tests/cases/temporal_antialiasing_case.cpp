@@ -40,7 +40,9 @@ TemporalAntialiasingCase::TemporalAntialiasingCase(const CaseOptions& options, b
   inputs.reprojectionMask = motion.reprojectionMask;
   inputs.viewDepth = randomDepths(options.size, options.seed + 3);
   m_holes.clear(inputs.viewDepth);
-  inputs.newestWeight = float(m_harness.configuration().settings.get("taaNewestWeight"));
+  const Settings& settings = m_harness.configuration().settings;
+  inputs.newestWeight = float(settings.get(jitteredRays ? "taaJitteredWeight" : "taaNewestWeight"));
+  inputs.silhouetteWeight = float(settings.get("taaSilhouetteWeight"));
 }
 
 void TemporalAntialiasingCase::upload() {

@@ -51,6 +51,8 @@ Readers<S> commonReaders() {
           READ_AS("normalLimitSquared", common.discard.normalLimitSquared),
           READ_AS("taa", common.antialiasing.taa),
           READ_AS("taaNewestWeight", common.antialiasing.taaNewestWeight),
+          READ_AS("taaJitteredWeight", common.antialiasing.taaJitteredWeight),
+          READ_AS("taaSilhouetteWeight", common.antialiasing.taaSilhouetteWeight),
           READ_AS("jitteredRays", common.antialiasing.jitteredRays)};
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "kernels/accumulate_noisy_params.h"
-#include "tests/oracle/bilinear_oracle.hpp"
+#include "tests/oracle/bicubic_oracle.hpp"
 
 namespace quell::tests {
 namespace {
@@ -55,39 +55,48 @@ bool rejectedAround(const Planes& mask, int x, int y) {
 
 struct Place {
   double x, y;
+  bool silhouette = false;
 };
+
+// View depth, endless where there is no surface.
+double depthAt(const TemporalAntialiasingInputs& inputs, int x, int y) {
+  const double depth = inputs.viewDepth.at(0, x, y);
+  return depth != 0.0 ? depth : std::numeric_limits<double>::infinity();
+}
+
+bool clearlyNearer(double depth, double than) { return depth < 0.97 * than; }
 
 // Where the pixel was, if it moved as the nearest surface around; what is nearer by less than 3 % is the same one.
 Place nearestPrev(const TemporalAntialiasingInputs& inputs, int x, int y) {
   Place prev{inputs.pixelPrev.at(0, x, y), inputs.pixelPrev.at(1, x, y)};
-  const double own = inputs.viewDepth.at(0, x, y);
-  double nearest = own != 0.0 ? own : std::numeric_limits<double>::infinity();
+  const double own = depthAt(inputs, x, y);
+  double nearest = own;
   for (int row = std::max(y - 1, 0); row <= std::min(y + 1, inputs.denoised.height - 1); ++row) {
     for (int column = std::max(x - 1, 0); column <= std::min(x + 1, inputs.denoised.width - 1); ++column) {
-      const double depth = inputs.viewDepth.at(0, column, row);
-      if (depth == 0.0 || depth >= 0.97 * nearest) continue;
+      const double depth = depthAt(inputs, column, row);
+      prev.silhouette = prev.silhouette || clearlyNearer(depth, own) || clearlyNearer(own, depth);
+      if (!clearlyNearer(depth, nearest)) continue;
       nearest = depth;
-      prev = {double(inputs.pixelPrev.at(0, column, row)) - (column - x),
-              double(inputs.pixelPrev.at(1, column, row)) - (row - y)};
+      prev.x = double(inputs.pixelPrev.at(0, column, row)) - (column - x);
+      prev.y = double(inputs.pixelPrev.at(1, column, row)) - (row - y);
     }
   }
   return prev;
 }
 
-struct Sampled {
-  Vector3d color = Vector3d::Zero();
-  double weight = 0.0;
-};
+bool touchesFrame(Size size, const Place& place) {
+  return place.x > -1.0 && place.x < size.width && place.y > -1.0 && place.y < size.height;
+}
 
-Sampled sample(const Planes& planes, double x, double y) {
-  Sampled sampled;
-  for (const Tap& tap : bilinearTaps(planes.size(), x, y)) {
-    if (!tap.inFrame) continue;
-    sampled.color += tap.weight * colorAt(planes, tap.x, tap.y);
-    sampled.weight += tap.weight;
+// Catmull-Rom, outside the frame the pixel at its border.
+Vector3d sample(const Planes& planes, const Place& place) {
+  Vector3d color = Vector3d::Zero();
+  double weightSum = 0.0;
+  for (const CubicTap& tap : bicubicTaps(planes.size(), place.x, place.y)) {
+    color += tap.weight * colorAt(planes, tap.x, tap.y);
+    weightSum += tap.weight;
   }
-  if (sampled.weight > 0.0) sampled.color /= sampled.weight;
-  return sampled;
+  return color / weightSum;
 }
 
 }  // namespace
@@ -97,12 +106,14 @@ ExactPlanes temporalAntialiasingOracle(const TemporalAntialiasingInputs& inputs)
   forEachPixel(inputs.denoised.size(), [&](int x, int y) {
     Vector3d color = colorAt(inputs.denoised, x, y);
     const Place prev = nearestPrev(inputs, x, y);
-    const Sampled history = sample(inputs.antialiasedPrev, prev.x, prev.y);
     const bool inFrame = (int(inputs.reprojectionMask.at(0, x, y)) & QUELL_PREV_IN_FRAME) != 0;
-    if (inFrame && history.weight > 0.0 && !rejectedAround(inputs.reprojectionMask, x, y)) {
+    if (inFrame && touchesFrame(inputs.denoised.size(), prev) &&
+        !rejectedAround(inputs.reprojectionMask, x, y)) {
+      const Vector3d history = sample(inputs.antialiasedPrev, prev);
       const Bounds bounds = neighbourhood(inputs.denoised, x, y);
-      const Vector3d clamped = toYCoCg(history.color).cwiseMax(bounds.low).cwiseMin(bounds.high);
-      color = inputs.newestWeight * color + (1.0 - inputs.newestWeight) * toRgb(clamped);
+      const Vector3d clamped = toYCoCg(history).cwiseMax(bounds.low).cwiseMin(bounds.high);
+      const double weight = prev.silhouette ? inputs.silhouetteWeight : inputs.newestWeight;
+      color = weight * color + (1.0 - weight) * toRgb(clamped);
     }
     color = color.cwiseMax(0.0).cwiseMin(QUELL_MAX_RADIANCE);
     for (int c = 0; c < 3; ++c) antialiased.at(c, x, y) = color[c];

@@ -13,6 +13,7 @@ struct TemporalAntialiasingInputs {
   Planes reprojectionMask;  ///< 1 plane
   Planes viewDepth;         ///< 1 plane; 0: background
   double newestWeight = 0.2;
+  double silhouetteWeight = 0.2;
 };
 
 /// Linear radiance, 3 planes.

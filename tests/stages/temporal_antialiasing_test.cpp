@@ -75,9 +75,10 @@ TEST_CASE("temporal_antialiasing takes history from where the nearest surface wa
     });
     taa.uploadAndRun();
     const Planes result = taa.antialiased();
-    const double weight = taa.inputs.newestWeight;
     for (const int x : {14, 15, 16, 17, 18}) {
-      const double moved = x >= 15 && x <= 17 ? 0.5 : 0.0;
+      const bool silhouette = x >= 15 && x <= 17;
+      const double moved = silhouette ? 0.5 : 0.0;
+      const double weight = silhouette ? taa.inputs.silhouetteWeight : taa.inputs.newestWeight;
       const double newest = taa.inputs.denoised.at(0, x, 10);
       CHECK(result.at(0, x, 10) ==
             Approx(weight * newest + (1.0 - weight) * (100.0 + x - moved)).epsilon(1e-5));
@@ -120,6 +121,7 @@ TEST_CASE("temporal_antialiasing without motion blends by the weight of the newe
   // A checkerboard: all colours of the history lie within the bounds of every neighbourhood.
   CaseOptions options;
   TemporalAntialiasingCase taa(options);
+  fill(taa.inputs.viewDepth, 3.0f);
   forEachPixel(options.size, [&](int x, int y) {
     taa.inputs.pixelPrev.at(0, x, y) = float(x);
     taa.inputs.pixelPrev.at(1, x, y) = float(y);
