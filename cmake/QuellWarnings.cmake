@@ -7,12 +7,6 @@ function(quell_warnings target)
   endif()
 endfunction()
 
-# quell_hurried(target): nobody waits for what this target computes, but for its compiler.
-function(quell_hurried target)
-  separate_arguments(flags UNIX_COMMAND "${QUELL_HURRIED_FLAGS}")
-  target_compile_options(${target} PRIVATE ${flags})
-endfunction()
-
 # quell_opencl_version(target): OpenCL 1.2 headers. Private: those who embed Quell choose their own.
 function(quell_opencl_version target)
   target_compile_definitions(${target} PRIVATE CL_TARGET_OPENCL_VERSION=120)

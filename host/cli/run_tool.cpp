@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <quell/error.hpp>
@@ -16,16 +17,18 @@ int runTool(int argc, const char* const* argv) {
   addDenoiseCommand(app);
   addCheckCommand(app);
   addCompareCommand(app);
-  addBenchCommand(app);
   addDevicesCommand(app);
+  addRenderCommand(app);
+  addDemoCommand(app);
+#ifdef QUELL_ALL_COMMANDS
+  addBenchCommand(app);
   addFBetaCommand(app);
   addKernelsCommand(app);
   addSelectFeaturesCommand(app);
   addStressCommand(app);
-  addRenderCommand(app);
   addTuneDeviceCommand(app);
   addTuneCommand(app);
-  addDemoCommand(app);
+#endif
   try {
     app.parse(argc, argv);
     return 0;

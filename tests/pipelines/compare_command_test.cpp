@@ -1,5 +1,5 @@
 // quell compare: what it takes for encoded, which keys its JSON has, and how it refuses.
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -11,15 +11,27 @@ struct Run {
   Settings settings;
 };
 
-// bmfr with either solver, and quell, which has the stages of svgf. The stop at roughness is for the glossy signal, or for the only one.
-std::vector<Run> allRuns() {
-  Run gram{"bmfr gram", Settings("bmfr")}, atrous{"atrous", Settings("atrous")},
-      quell{"quell", Settings("quell")};
-  gram.settings.set("solver", "gram");
-  atrous.settings.set("roughnessSigma", 0.0);
+// The fit of blocks, and quell, which has the stages of svgf. The stop at roughness is for the glossy signal, or for the
+// only one.
+std::vector<Run> usualRuns() {
+  Run quell{"quell", Settings("quell")};
   quell.settings.set("roughnessSigma", 0.0);
   quell.settings.set("sharpRoughness", 0.0);
-  return {{"bmfr", Settings("bmfr")}, gram, atrous, quell};
+  return {{"bmfr", Settings("bmfr")}, quell};
+}
+
+// Whose stages are in the others, or have their signals in tests of their own.
+std::vector<Run> furtherRuns() {
+  Run gram{"bmfr gram", Settings("bmfr")}, atrous{"atrous", Settings("atrous")};
+  gram.settings.set("solver", "gram");
+  atrous.settings.set("roughnessSigma", 0.0);
+  return {gram, atrous};
+}
+
+std::vector<Run> allRuns() {
+  std::vector<Run> runs = usualRuns();
+  for (const Run& run : furtherRuns()) runs.push_back(run);
+  return runs;
 }
 
 io::Image lastLinear(const io::FrameSequence& sequence, int frames, const Settings& settings,
@@ -40,64 +52,88 @@ void demodulatedLight(io::FrameData& frame) {
 
 bool isSurface(const io::FrameData& frame, int x, int y) { return frame.albedo.at(x, y, 0) > 0.0f; }
 
-}  // namespace
-
-TEST_CASE("two signals denoise to the sum of two runs with one", "[pipelines]") {
+void checkSignals(const Run& run) {
+  INFO(run.name);
   const auto sequence = analyticSequence(97, 61, 4);
-  for (const Run& run : allRuns()) {
-    INFO(run.name);
-    const io::Image both = lastLinear(*sequence, 4, run.settings, addGloss);
-    const io::Image glossy = lastLinear(*sequence, 4, run.settings, keepGlossy);
-    CHECK(largestError(both, sum(lastLinear(*sequence, 4, run.settings, keepDiffuse), glossy)) < 1e-5);
-    CHECK(*std::max_element(glossy.pixels.begin(), glossy.pixels.end()) > 0.1f);
-  }
+  const io::Image both = lastLinear(*sequence, 4, run.settings, addGloss);
+  const io::Image glossy = lastLinear(*sequence, 4, run.settings, keepGlossy);
+  CHECK(largestError(both, sum(lastLinear(*sequence, 4, run.settings, keepDiffuse), glossy)) < 1e-5);
+  CHECK(*std::max_element(glossy.pixels.begin(), glossy.pixels.end()) > 0.1f);
 }
 
-TEST_CASE("light that was divided by the caller comes back whole, with F_beta and without", "[pipelines]") {
+// Light that was divided by the caller comes back whole.
+void checkDividedLight(const Run& run, const char* demodulate, bool two) {
+  INFO(run.name << " demodulate=" << demodulate << (two ? ", two signals" : ", one signal"));
   const auto sequence = analyticSequence(97, 61, 3);
+  Settings settings = run.settings;
+  settings.set("demodulate", demodulate);
   const auto twoSignals = [](io::FrameData& frame) {
     demodulatedLight(frame);
     frame.glossyRadiance = frame.radiance;
   };
-  for (Run run : allRuns()) {
-    for (const char* demodulate : {"none", "albedo", "fbeta"}) {
-      run.settings.set("demodulate", demodulate);
-      // F_beta varies over the image, so what is divided by it is not constant: filters may change it a little.
-      const bool isFBeta = demodulate == std::string("fbeta");
-      const double tolerance = isFBeta ? 0.15 : 1e-5;
-      for (const bool two : {false, true}) {
-        // All kernels of one method; of the others those that least resemble it.
-        const bool isUsual = isFBeta ? !two : two && demodulate == std::string("albedo");
-        if (run.name != "quell" && !isUsual) continue;
-        INFO(run.name << " demodulate=" << demodulate << (two ? ", two signals" : ", one signal"));
-        const io::Image output = two ? lastLinear(*sequence, 3, run.settings, twoSignals)
-                                     : lastLinear(*sequence, 3, run.settings, demodulatedLight);
-        const io::FrameData frame = sequence->read(2);
-        double mean = 0.0, count = 0.0;
-        for (int y = 0; y < 61; ++y) {
-          for (int x = 0; x < 97; ++x) {
-            if (!isSurface(frame, x, y)) continue;
-            CHECK(output.at(x, y, 1) == Approx(0.75).epsilon(tolerance));
-            mean += output.at(x, y, 1);
-            count += 1.0;
-          }
-        }
-        CHECK(mean / count == Approx(0.75).epsilon(0.01));
-      }
+  const io::Image output = two ? lastLinear(*sequence, 3, settings, twoSignals)
+                               : lastLinear(*sequence, 3, settings, demodulatedLight);
+  const io::FrameData frame = sequence->read(2);
+  // F_beta varies over the image, so what is divided by it is not constant: filters may change it a little.
+  const double tolerance = demodulate == std::string("fbeta") ? 0.15 : 1e-5;
+  double mean = 0.0, count = 0.0;
+  for (int y = 0; y < 61; ++y) {
+    for (int x = 0; x < 97; ++x) {
+      if (!isSurface(frame, x, y)) continue;
+      CHECK(output.at(x, y, 1) == Approx(0.75).epsilon(tolerance));
+      mean += output.at(x, y, 1);
+      count += 1.0;
     }
+  }
+  CHECK(mean / count == Approx(0.75).epsilon(0.01));
+}
+
+void checkFBeta(Run run) {
+  INFO(run.name);
+  const auto sequence = analyticSequence(64, 48, 3);
+  const io::Image albedo = lastLinear(*sequence, 3, run.settings, addGloss);
+  run.settings.set("demodulate", "fbeta");
+  CHECK(largestError(lastLinear(*sequence, 3, run.settings, addGloss), albedo) > 1e-3);
+  CHECK_THROWS_WITH(lastLinear(*sequence, 1, run.settings, [](io::FrameData&) {}),
+                    Catch::Matchers::Contains("roughness"));
+}
+
+}  // namespace
+
+TEST_CASE("two signals denoise to the sum of two runs with one", "[pipelines]") {
+  for (const Run& run : usualRuns()) checkSignals(run);
+}
+
+TEST_CASE("two signals of further methods denoise to the sum of two runs with one", "[pipelines][.long]") {
+  for (const Run& run : furtherRuns()) checkSignals(run);
+}
+
+// Every way to divide, one signal and two: each once on some method.
+TEST_CASE("light that was divided by the caller comes back whole, with F_beta and without", "[pipelines]") {
+  const std::vector<Run> runs = usualRuns();
+  checkDividedLight(runs[0], "albedo", true);
+  checkDividedLight(runs[0], "fbeta", false);
+  checkDividedLight(runs[1], "none", false);
+  checkDividedLight(runs[1], "albedo", false);
+  checkDividedLight(runs[1], "fbeta", true);
+}
+
+TEST_CASE("light that was divided by the caller comes back whole, whatever the method",
+          "[pipelines][.long]") {
+  for (const char* demodulate : {"none", "albedo", "fbeta"})
+    for (const bool two : {false, true}) checkDividedLight(usualRuns()[1], demodulate, two);
+  for (const Run& run : furtherRuns()) {
+    checkDividedLight(run, "albedo", true);
+    checkDividedLight(run, "fbeta", false);
   }
 }
 
 TEST_CASE("F_beta changes the filtered signal and asks for roughness", "[pipelines]") {
-  const auto sequence = analyticSequence(64, 48, 3);
-  for (Run run : allRuns()) {
-    INFO(run.name);
-    const io::Image albedo = lastLinear(*sequence, 3, run.settings, addGloss);
-    run.settings.set("demodulate", "fbeta");
-    CHECK(largestError(lastLinear(*sequence, 3, run.settings, addGloss), albedo) > 1e-3);
-    CHECK_THROWS_WITH(lastLinear(*sequence, 1, run.settings, [](io::FrameData&) {}),
-                      Catch::Matchers::Contains("roughness"));
-  }
+  for (const Run& run : usualRuns()) checkFBeta(run);
+}
+
+TEST_CASE("F_beta changes the filtered signal of further methods", "[pipelines][.long]") {
+  for (const Run& run : furtherRuns()) checkFBeta(run);
 }
 
 TEST_CASE("the length of normals does not matter", "[pipelines]") {

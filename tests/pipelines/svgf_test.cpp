@@ -94,7 +94,7 @@ TEST_CASE("any number of iterations, either feedback and a stop at roughness run
   const auto sequence = analyticSequence(70, 45, 3);
   for (const std::string& method : kMethods) {
     std::vector<std::string> hashes;
-    for (int iterations = 1; iterations <= 7; ++iterations) {
+    for (const int iterations : {1, 3, 7}) {
       const auto result = denoiseSequence(*sequence, firstFrames(3),
                                           withSetting(method, "iterations", std::to_string(iterations)));
       checkClean(result);
@@ -160,11 +160,9 @@ TEST_CASE("svgf and atrous are bit-identical from run to run and for every work-
     const std::string hash = hashOf({});
     INFO(method);
     CHECK(hashOf({}) == hash);
-    for (const std::array<int, 2> group : {std::array<int, 2>{1, 1}, {3, 5}}) {
-      Options options;
-      options.workGroup = group;
-      CHECK(hashOf(options) == hash);
-    }
+    Options options;
+    options.workGroup = {3, 5};
+    CHECK(hashOf(options) == hash);
   }
 }
 

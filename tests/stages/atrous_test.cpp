@@ -83,8 +83,11 @@ TEST_CASE("atrous agrees with its oracle whichever images there are") {
 }
 
 TEST_CASE("atrous leaves out background") {
-  for (const AtrousVariant& variant : {kEverything, kWithoutVariance, ofQuell(1), ofQuell(2), ofQuell(4)})
-    checkHoles(maker(variant));
+  for (const AtrousVariant& variant : {kEverything, ofQuell(1), ofQuell(4)}) checkHoles(maker(variant));
+}
+
+TEST_CASE("atrous leaves out background in further variants", "[.long]") {
+  for (const AtrousVariant& variant : {kWithoutVariance, ofQuell(2)}) checkHoles(maker(variant));
 }
 
 TEST_CASE("atrous does not depend on the work-group") {

@@ -35,13 +35,16 @@ CaseOptions makeOptions(const char* list, Size size, Mapping mapping) {
 // The constant alone; roots and differences; powers and products.
 bool isAmongFew(const char* list) { return list == kLists[0] || list == kLists[4] || list == kLists[6]; }
 
-// What a list is made into is the same for both mappings: a few will do on one lane.
+// Every list is a kernel of its own: a few run always, one of them on one lane, all of them in long tests.
+enum class Lists { Few, All };
+
 template <class Check>
-void forEachList(const Check& check, bool few = false) {
+void forEachList(Lists lists, const Check& check) {
   for (const char* list : kLists) {
-    if (few && !isAmongFew(list)) continue;
+    if (lists == Lists::Few && !isAmongFew(list)) continue;
     for (const Mapping mapping : {Mapping::Wide, Mapping::Narrow}) {
-      if (mapping == Mapping::Narrow && (few || !isAmongFew(list))) continue;
+      if (mapping == Mapping::Narrow && (lists == Lists::All ? !isAmongFew(list) : list != kLists[4]))
+        continue;
       for (const Size size : {Size{7, 33}, Size{61, 43}}) {
         INFO(list);
         check(makeOptions(list, size, mapping));
@@ -57,15 +60,35 @@ void checkWithin(StageCase& stageCase, const CaseOptions& options, double tolera
   CHECK(comparison.largestError() <= tolerance);
 }
 
+void checkFit(const CaseOptions& options) {
+  FitCase fit(options);
+  checkWithin(fit, options, kFitListTolerance);
+  CHECK(allFinite(fit.records()));
+}
+
+void checkGramSums(const GramWindows& windows, const CaseOptions& options) {
+  GramSumsCase sums(options, windows);
+  checkWithin(sums, options, 2.0 * kGramSumTolerance);
+}
+
+void checkGramSolve(const GramWindows& windows, const CaseOptions& options) {
+  GramSolveCase solve(options, windows);
+  checkWithin(solve, options, kGramSolveTolerance);
+  const Comparison pixels = solve.comparePixels();
+  INFO("straight from the pixels: " << pixels.worst());
+  CHECK(pixels.largestError() <= kGramPixelsTolerance);
+}
+
+void checkSums(const CaseOptions& options) {
+  WeightedSumCase weighted(options);
+  checkWithin(weighted, options, kWeightedSumTolerance);
+  BlendedSumCase blended(options);
+  checkWithin(blended, options, kBlendedSumTolerance);
+}
+
 }  // namespace
 
-TEST_CASE("fit agrees with its oracle for lists of features") {
-  forEachList([](const CaseOptions& options) {
-    FitCase fit(options);
-    checkWithin(fit, options, kFitListTolerance);
-    CHECK(allFinite(fit.records()));
-  });
-}
+TEST_CASE("fit agrees with its oracle for lists of features") { forEachList(Lists::Few, checkFit); }
 
 TEST_CASE("fit with half storage agrees with its oracle for a list of features") {
   const CaseOptions options = makeOptions(kLists[4], {61, 43}, Mapping::Wide);
@@ -83,37 +106,26 @@ TEST_CASE("fit without noise leaves dependent features of a list out") {
   }
 }
 
-// Windows decide which pixels are summed, a list what is summed of each: a few lists will do for blocks.
+// Windows decide which pixels are summed, a list what is summed of each: overlapping ones will do.
 TEST_CASE("gram_sums agrees with its oracle for lists of features") {
-  for (const GramWindows& windows : {kBlocks, kOverlap8}) {
-    const auto check = [&](const CaseOptions& options) {
-      GramSumsCase sums(options, windows);
-      checkWithin(sums, options, 2.0 * kGramSumTolerance);
-    };
-    forEachList(check, !windows.overlap);
-  }
+  forEachList(Lists::Few, [](const CaseOptions& options) { checkGramSums(kOverlap8, options); });
 }
 
 TEST_CASE("gram_solve agrees with its oracle for lists of features") {
-  for (const GramWindows& windows : {kBlocks, kOverlap8}) {
-    const auto check = [&](const CaseOptions& options) {
-      GramSolveCase solve(options, windows);
-      checkWithin(solve, options, kGramSolveTolerance);
-      const Comparison pixels = solve.comparePixels();
-      INFO("straight from the pixels: " << pixels.worst());
-      CHECK(pixels.largestError() <= kGramPixelsTolerance);
-    };
-    forEachList(check, !windows.overlap);
-  }
+  forEachList(Lists::Few, [](const CaseOptions& options) { checkGramSolve(kOverlap8, options); });
 }
 
 TEST_CASE("weighted_sum and blended_sum agree with their oracles for lists of features") {
-  forEachList([](const CaseOptions& options) {
-    WeightedSumCase weighted(options);
-    checkWithin(weighted, options, kWeightedSumTolerance);
-    BlendedSumCase blended(options);
-    checkWithin(blended, options, kBlendedSumTolerance);
-  });
+  forEachList(Lists::Few, checkSums);
+}
+
+TEST_CASE("all stages of the fit agree with their oracles for all lists of features", "[.long]") {
+  forEachList(Lists::All, checkFit);
+  forEachList(Lists::All, checkSums);
+  forEachList(Lists::All, [](const CaseOptions& options) { checkGramSums(kOverlap8, options); });
+  forEachList(Lists::All, [](const CaseOptions& options) { checkGramSolve(kOverlap8, options); });
+  forEachList(Lists::Few, [](const CaseOptions& options) { checkGramSums(kBlocks, options); });
+  forEachList(Lists::Few, [](const CaseOptions& options) { checkGramSolve(kBlocks, options); });
 }
 
 TEST_CASE("a list gives the same bits whatever the work-group and the number of lanes") {

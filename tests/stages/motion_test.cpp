@@ -101,12 +101,15 @@ TEST_CASE("accumulate_noisy follows motion vectors and object ids as its oracle 
 }
 
 TEST_CASE("accumulate_noisy agrees with its oracle with motion vectors or object ids alone") {
-  for (const AccumulateNoisyVariant& variant :
-       {kMotion, kObjects, AccumulateNoisyVariant{kTwoSignals, true, true, true, true, true}})
-    checkLayouts(maker(variant), {packed(3)});
+  checkVariants({maker(kMotion), maker(kObjects), maker({kTwoSignals, true, true, true, true, true})});
 }
 
 TEST_CASE("accumulate_noisy reads motion vectors and object ids in every layout") {
+  checkLayouts(maker(kMotionAndObjects),
+               {packed(2), packedHalf(3), interleaved(4, ComponentFormat::Float16)});
+}
+
+TEST_CASE("accumulate_noisy reads motion vectors and object ids in all further layouts", "[.long]") {
   checkLayouts(maker(kMotionAndObjects), inputLayouts());
 }
 

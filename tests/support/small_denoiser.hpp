@@ -149,7 +149,7 @@ class FrameBuffers {
 };
 
 /// Options that leave the user's cache directory alone. Tests of one process share a directory, since many denoisers of
-/// the same kind start faster from binaries.
+/// the usual kind start faster from binaries.
 inline Options testOptions(TimerMode timers = TimerMode::Off) {
   static const TemporaryDirectory directory;
   Options options;
@@ -158,10 +158,18 @@ inline Options testOptions(TimerMode timers = TimerMode::Off) {
   return options;
 }
 
+/// The same without a directory, for kernels that one test alone needs: for a binary PoCL compiles them once more.
+inline Options uncachedOptions() {
+  Options options = testOptions();
+  options.cacheDirectory = "";
+  return options;
+}
+
 /// A prepared denoiser with all it needs.
 class SmallDenoiser {
  public:
-  explicit SmallDenoiser(const ImageSetup& setup = {}, const Options& options = testOptions(),
+  SmallDenoiser() : SmallDenoiser(ImageSetup(), testOptions()) {}
+  explicit SmallDenoiser(const ImageSetup& setup, const Options& options = uncachedOptions(),
                          cl_command_queue_properties properties = 0, const Settings& settings = Settings())
       : device(properties),
         buffers(device, setup),

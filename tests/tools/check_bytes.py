@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Checks that the bytes that stages declare are those that their kernels touch: check_bytes.py QUELL PLUGIN FOLDER
+"""Checks that the bytes that stages declare are those that their kernels touch: check_bytes.py QUELL PLUGIN FOLDER [RUNS]
 
 Runs methods in Oclgrind with the plugin of touched_bytes_plugin.cpp, with and without background, with short and long
 histories, and compares each stage of the last frame with what the report of the tool says. Where a stage leaves out the
-sky above, what its taps touch there, up to a filter's reach beyond the horizon, is not counted.
+sky above, what its taps touch there, up to a filter's reach beyond the horizon, is not counted. RUNS is how many of the runs
+below to do, all if not given.
 """
 import json
 import os
@@ -17,11 +18,11 @@ TOLERANCE = 0.05  # of the declared bytes
 TILES = 64  # bytes: where surfaces end within a row of tiles
 LONG = ["--set", "temporalVarianceFrames=1"]  # every history is long enough for the variance over time
 STILL = ["--set", "changeThreshold=100"]  # noise never counts as change
-RUNS = [
-    ["--method", "quell", *STILL],
+RUNS = [  # those with most stages first
     ["--method", "quell", *STILL, *LONG, "--sky-share", "0.6"],
-    ["--method", "svgf", "--sky-share", "0.5", *LONG],
     ["--method", "bmfr", "--set", "solver=gram", "--sky-share", "0.5"],
+    ["--method", "quell", *STILL],
+    ["--method", "svgf", "--sky-share", "0.5", *LONG],
     ["--method", "atrous"],
 ]
 BUILD = "-cl-opt-disable -DQUELL_PLAIN_INLINE -DQUELL_F_BETA_SAMPLES=1"
@@ -47,10 +48,11 @@ def run(tool, plugin, folder, arguments):
 
 
 def main():
-    tool, plugin, folder = sys.argv[1:]
+    tool, plugin, folder = sys.argv[1:4]
+    runs = RUNS[:int(sys.argv[4])] if len(sys.argv) > 4 else RUNS
     os.makedirs(folder, exist_ok=True)
     worst = 0.0
-    for arguments in RUNS:
+    for arguments in runs:
         print(" ".join(arguments))
         for stage, launch in zip(*run(tool, plugin, folder, arguments)):
             assert stage["name"] == launch["kernel"], (stage["name"], launch["kernel"])

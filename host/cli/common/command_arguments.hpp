@@ -1,7 +1,7 @@
 // Arguments that several commands take, and how their text is read.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <quell/quell.hpp>
 #include <string>
 #include <utility>

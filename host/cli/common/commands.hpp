@@ -2,7 +2,8 @@
 // which main() turns into a message and exit code 1 (CLI11 answers usage errors itself).
 #pragma once
 
-#include <CLI/CLI.hpp>
+// Declarations alone: what CLI11 defines inline in its further headers takes seconds to compile, once in run_tool.cpp.
+#include <CLI/App.hpp>
 
 namespace quell::cli {
 
