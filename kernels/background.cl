@@ -48,6 +48,7 @@ __kernel void background(STAGE_ARGUMENTS(BACKGROUND) BackgroundParams params) {
 #endif
 #if DISPLAY_FORMAT
   if (params.finish != 0)
-    STORE_PIXELS(DISPLAY, encodeDisplay3(radiance), displayData, params.outputs.display, x, y, lanes);
+    STORE_PIXELS(DISPLAY, encodeDisplay(radiance, params.exposure), displayData, params.outputs.display, x, y,
+                 lanes);
 #endif
 }

@@ -70,6 +70,7 @@ __kernel void remodulate(STAGE_ARGUMENTS(REMODULATE) RemodulateParams params) {
 #if WRITE_PLANES
   storeLanes3(radianceOut, beforeAntialiasing, index, stride);
 #elif DISPLAY_FORMAT
-  STORE_PIXELS(DISPLAY, encodeDisplay3(radianceOut), displayData, params.outputs.display, x, y, lanes);
+  STORE_PIXELS(DISPLAY, encodeDisplay(radianceOut, params.exposure), displayData, params.outputs.display, x,
+               y, lanes);
 #endif
 }

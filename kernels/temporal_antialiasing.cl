@@ -174,6 +174,7 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
   STORE_PIXELS(LINEAR, result, linearData, params.outputs.linear, x, y, lanes);
 #endif
 #if DISPLAY_FORMAT
-  STORE_PIXELS(DISPLAY, encodeDisplay3(result), displayData, params.outputs.display, x, y, lanes);
+  STORE_PIXELS(DISPLAY, encodeDisplay(result, params.exposure), displayData, params.outputs.display, x, y,
+               lanes);
 #endif
 }

@@ -58,10 +58,17 @@ std::vector<std::string> valuesOf(const SettingDescription& setting) {
   return {};
 }
 
+/// What a stage does with it does not depend on other settings: its values meet only the defaults.
+bool standsAlone(const SettingDescription& setting) {
+  return setting.name == "toneMap" || setting.name == "displayEncoding" || setting.name == "antialiasLinear";
+}
+
 std::vector<Settings> allChoices(const std::string& method, const std::string& features) {
   std::vector<Settings> all = {Settings(method)};
   if (!features.empty() && hasSetting(method, "features")) all[0].set("features", features);
+  const Settings usual = all[0];
   for (const SettingDescription& setting : methodSettings(method)) {
+    if (standsAlone(setting)) continue;
     std::vector<Settings> varied;
     for (const std::string& value : valuesOf(setting)) {
       for (Settings settings : all) {
@@ -70,6 +77,13 @@ std::vector<Settings> allChoices(const std::string& method, const std::string& f
       }
     }
     if (!varied.empty()) all = std::move(varied);
+  }
+  for (const SettingDescription& setting : methodSettings(method)) {
+    if (!standsAlone(setting)) continue;
+    for (const std::string& value : valuesOf(setting)) {
+      all.push_back(usual);
+      all.back().set(setting.name, value);
+    }
   }
   return all;
 }
