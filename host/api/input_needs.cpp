@@ -6,6 +6,7 @@
 
 #include "host/core/frame_images.hpp"
 #include "host/core/image_schema.hpp"
+#include "host/core/imported_images.hpp"
 #include "host/core/stage.hpp"
 #include "host/methods/method.hpp"
 
@@ -28,14 +29,6 @@ Configuration fullConfiguration(const Settings& settings, const Method& method) 
 Schedule scheduleOf(const Method& method, const Configuration& configuration) {
   requireFBetaImages(configuration);
   return method.makeSchedule(configuration);
-}
-
-bool reads(const Schedule& schedule, const Configuration& configuration, const ImageView Frame::*input) {
-  return std::any_of(schedule.begin(), schedule.end(), [&](const StageRow& row) {
-    const std::vector<Port> ports = row.stage->ports(configuration);
-    return std::any_of(ports.begin(), ports.end(),
-                       [&](const Port& port) { return port.exists && port.input == input; });
-  });
 }
 
 bool worksWithout(const Method& method, Configuration configuration, ImageView Frame::*input) {
@@ -67,7 +60,7 @@ std::vector<InputNeed> inputNeeds(const Settings& settings) {
     const bool isPlace = image.member == &Frame::positionWorld || image.member == &Frame::viewDepth;
     if (image.required() || isPlace || !worksWithout(method, configuration, image.member))
       need.use = InputUse::Required;
-    else if (reads(schedule, configuration, image.member))
+    else if (readsImage(schedule, configuration, image.member))
       need.use = InputUse::Optional;
     needs.push_back(need);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host/core/stage.hpp"
+
 namespace quell {
 namespace {
 
@@ -25,6 +27,14 @@ std::string importedBuffer(const char* image) { return std::string(image) + "Imp
 
 Extent importedExtent(const Frame& frame, const ImageView Frame::*input) {
   return Extent::records(viewForStages(frame, input).requiredBytes(frame.size) / sizeof(float));
+}
+
+bool readsImage(const Schedule& table, const Configuration& configuration, const ImageView Frame::*input) {
+  return std::any_of(table.begin(), table.end(), [&](const StageRow& row) {
+    const std::vector<Port> ports = row.stage->ports(configuration);
+    return std::any_of(ports.begin(), ports.end(),
+                       [&](const Port& port) { return port.exists && port.input == input; });
+  });
 }
 
 std::size_t texelBytes(const ImageView& view) {

@@ -5,7 +5,7 @@
 #include <quell/frame.hpp>
 #include <string>
 
-#include "host/core/ports.hpp"
+#include "host/core/schedule.hpp"
 
 namespace quell {
 
@@ -17,6 +17,9 @@ ImageView viewForStages(const Frame& frame, const ImageView Frame::*input);
 /// The method's buffer that holds an imported image, and how large it is.
 std::string importedBuffer(const char* image);
 Extent importedExtent(const Frame& frame, const ImageView Frame::*input);
+
+/// Whether a stage of the table reads the image.
+bool readsImage(const Schedule& table, const Configuration& configuration, const ImageView Frame::*input);
 
 /// Bytes of a texel of an image object: what its view says (see resolveImageObjects), else those of four floats.
 std::size_t texelBytes(const ImageView& view);

@@ -1,6 +1,5 @@
 #include "host/stages/import_image.hpp"
 
-#include <algorithm>
 #include <iterator>
 
 #include "host/core/depth.hpp"
@@ -13,14 +12,6 @@ int depthOption(DepthKind kind) {
   if (isDepthBuffer(kind)) return QUELL_DEPTH_RECIPROCAL;
   if (kind == DepthKind::Ray) return QUELL_DEPTH_ALONG_RAY;
   return kind == DepthKind::NegativeView ? QUELL_DEPTH_NEGATED : QUELL_DEPTH_AS_IT_IS;
-}
-
-bool isRead(const Schedule& table, const Configuration& configuration, const ImageView Frame::*input) {
-  return std::any_of(table.begin(), table.end(), [&](const StageRow& row) {
-    const std::vector<Port> ports = row.stage->ports(configuration);
-    return std::any_of(ports.begin(), ports.end(),
-                       [&](const Port& port) { return port.exists && port.input == input; });
-  });
 }
 
 }  // namespace
@@ -73,7 +64,7 @@ void ImportImage::enqueue(FrameRun& run) { run.launch(m_kernel, run.pixelRange()
 void addImports(Schedule& table, const Configuration& configuration) {
   Schedule imports;
   for (const auto& image : kInputs<Frame>)
-    if (isImported(configuration.frame, image.member) && isRead(table, configuration, image.member))
+    if (isImported(configuration.frame, image.member) && readsImage(table, configuration, image.member))
       imports.push_back({std::make_unique<ImportImage>(image), {}});
   table.insert(table.begin(), std::make_move_iterator(imports.begin()),
                std::make_move_iterator(imports.end()));
