@@ -58,7 +58,7 @@ std::vector<std::string> valuesOf(const SettingDescription& setting) {
   return {};
 }
 
-/// What a stage does with it does not depend on other settings: its values meet only the defaults.
+/// What a stage does with it does not depend on other settings: its values meet only the defaults, and each other in turn.
 bool standsAlone(const SettingDescription& setting) {
   return setting.name == "toneMap" || setting.name == "displayEncoding" || setting.name == "antialiasLinear";
 }
@@ -78,11 +78,14 @@ std::vector<Settings> allChoices(const std::string& method, const std::string& f
     }
     if (!varied.empty()) all = std::move(varied);
   }
-  for (const SettingDescription& setting : methodSettings(method)) {
-    if (!standsAlone(setting)) continue;
-    for (const std::string& value : valuesOf(setting)) {
-      all.push_back(usual);
-      all.back().set(setting.name, value);
+  std::size_t most = 0;
+  for (const SettingDescription& setting : methodSettings(method))
+    if (standsAlone(setting)) most = std::max(most, valuesOf(setting).size());
+  for (std::size_t i = 0; i < most; ++i) {
+    all.push_back(usual);
+    for (const SettingDescription& setting : methodSettings(method)) {
+      const std::vector<std::string> values = valuesOf(setting);
+      if (standsAlone(setting)) all.back().set(setting.name, values[i % values.size()]);
     }
   }
   return all;
