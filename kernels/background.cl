@@ -44,10 +44,10 @@ __kernel void background(STAGE_ARGUMENTS(BACKGROUND) BackgroundParams params) {
 #endif
 #if LINEAR_FORMAT
   if (!ANTIALIAS_LINEAR || params.finish != 0)
-    STORE_PIXELS(LINEAR, radiance, linearData, params.outputs.linear, x, y, lanes);
+    STORE_LINEAR(radiance, linearData, params.outputs.linear, x, y, lanes);
 #endif
 #if DISPLAY_FORMAT
   if (params.finish != 0)
-    STORE_PIXELS(DISPLAY, encodeDisplay3(radiance), displayData, params.outputs.display, x, y, lanes);
+    STORE_DISPLAY(encodeDisplay(radiance, params.exposure), displayData, params.outputs.display, x, y, lanes);
 #endif
 }

@@ -10,7 +10,8 @@ typedef struct BackgroundParams {
   PlaneParams planes;
   FrameImageParams images;
   OutputImageParams outputs;
-  QuellInt finish;  // whether the display image is written as well; if not, temporal_antialiasing does it
+  QuellFloat exposure;  // factor of radiance in the display image
+  QuellInt finish;      // whether the display image is written as well; if not, temporal_antialiasing does it
 } BackgroundParams;
 
 QUELL_NAMESPACE_END

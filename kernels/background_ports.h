@@ -3,11 +3,12 @@
 #define QUELL_BACKGROUND_PORTS_H
 
 #include "background_params.h"
+#include "common/display_modes.h"
 #include "common/ports.h"
 
 // clang-format off
 #define BACKGROUND_OPTIONS(OPTION, SIZE)                                                                                                   \
-  OPTION(QUELL_SIGNALS) OPTION(DEMODULATED) OPTION(DEMODULATE) OPTION(ANTIALIAS) OPTION(ANTIALIAS_LINEAR) OPTION(SKIP) SIZE(surfaceItems) SIZE(antialiasBackground)
+  OPTION(QUELL_SIGNALS) OPTION(DEMODULATED) OPTION(DEMODULATE) OPTION(ANTIALIAS) OPTION(ANTIALIAS_LINEAR) OPTION(SKIP) DISPLAY_OPTIONS(OPTION) SIZE(surfaceItems) SIZE(antialiasBackground)
 
 #define BACKGROUND_PORTS(PORT, IMAGE, OUTPUT)                                            \
   LIGHT_IMAGES(IMAGE, 1)                                                                 \

@@ -65,11 +65,12 @@ __kernel void remodulate(STAGE_ARGUMENTS(REMODULATE) RemodulateParams params) {
   }
   radianceOut = clamp3(radianceOut, 0.0f, QUELL_MAX_RADIANCE);
 #if LINEAR_FORMAT && !ANTIALIAS_LINEAR
-  STORE_PIXELS(LINEAR, radianceOut, linearData, params.outputs.linear, x, y, lanes);
+  STORE_LINEAR(radianceOut, linearData, params.outputs.linear, x, y, lanes);
 #endif
 #if WRITE_PLANES
   storeLanes3(radianceOut, beforeAntialiasing, index, stride);
 #elif DISPLAY_FORMAT
-  STORE_PIXELS(DISPLAY, encodeDisplay3(radianceOut), displayData, params.outputs.display, x, y, lanes);
+  STORE_DISPLAY(encodeDisplay(radianceOut, params.exposure), displayData, params.outputs.display, x, y,
+                lanes);
 #endif
 }

@@ -10,7 +10,8 @@ typedef struct RemodulateParams {
   PlaneParams planes;
   FrameImageParams images;
   OutputImageParams outputs;
-  QuellInt tilesX;  // of the gains of light_gain
+  QuellFloat exposure;  // factor of radiance in the display image
+  QuellInt tilesX;      // of the gains of light_gain
   QuellInt tilesY;
 } RemodulateParams;
 

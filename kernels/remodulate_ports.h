@@ -2,6 +2,7 @@
 #ifndef QUELL_REMODULATE_PORTS_H
 #define QUELL_REMODULATE_PORTS_H
 
+#include "common/display_modes.h"
 #include "common/f_beta_ports.h"
 #include "common/guides.h"
 #include "common/ports.h"
@@ -10,7 +11,7 @@
 // clang-format off
 #define REMODULATE_OPTIONS(OPTION, SIZE)                                                                      \
   OPTION(QUELL_SIGNALS) OPTION(DEMODULATED) OPTION(DEMODULATE) OPTION(WRITE_PLANES) OPTION(ANTIALIAS_LINEAR) \
-  OPTION(KEEP_LIGHT) OPTION(SKIP) SIZE(surfaceItems) SIZE(lightTiles)
+  OPTION(KEEP_LIGHT) OPTION(SKIP) DISPLAY_OPTIONS(OPTION) SIZE(surfaceItems) SIZE(lightTiles)
 
 #define REMODULATE_PORTS(PORT, IMAGE, OUTPUT)                                                                  \
   PORT(filtered,  READ,  FLOAT, 3 * QUELL_SIGNALS,                    ALL,                       ALWAYS)       \

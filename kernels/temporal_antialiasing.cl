@@ -186,9 +186,9 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
   storeLanes3(result, antialiased, index, stride);
   const int lanes = min(QUELL_LANES, planes.width - x);
 #if ANTIALIAS_LINEAR && LINEAR_FORMAT
-  STORE_PIXELS(LINEAR, result, linearData, params.outputs.linear, x, y, lanes);
+  STORE_LINEAR(result, linearData, params.outputs.linear, x, y, lanes);
 #endif
 #if DISPLAY_FORMAT
-  STORE_PIXELS(DISPLAY, encodeDisplay3(result), displayData, params.outputs.display, x, y, lanes);
+  STORE_DISPLAY(encodeDisplay(result, params.exposure), displayData, params.outputs.display, x, y, lanes);
 #endif
 }

@@ -9,6 +9,7 @@ QUELL_NAMESPACE_BEGIN
 typedef struct TemporalAntialiasingParams {
   PlaneParams planes;
   OutputImageParams outputs;
+  QuellFloat exposure;          // factor of radiance in the display image
   QuellFloat newestWeight;      // weight of the newest frame, (0, 1]
   QuellFloat silhouetteWeight;  // the same where surfaces clearly apart meet
   QuellFloat backgroundDepth;   // what pixels without a surface have as their view depth

@@ -2,12 +2,13 @@
 #ifndef QUELL_TEMPORAL_ANTIALIASING_PORTS_H
 #define QUELL_TEMPORAL_ANTIALIASING_PORTS_H
 
+#include "common/display_modes.h"
 #include "common/ports.h"
 #include "temporal_antialiasing_params.h"
 
 // clang-format off
 #define TEMPORAL_ANTIALIASING_OPTIONS(OPTION, SIZE)   \
-  OPTION(SKIP) OPTION(ANTIALIAS_LINEAR) SIZE(QUELL_SIGNALS) SIZE(surfaceItems)
+  OPTION(SKIP) OPTION(ANTIALIAS_LINEAR) DISPLAY_OPTIONS(OPTION) SIZE(QUELL_SIGNALS) SIZE(surfaceItems)
 
 #define TEMPORAL_ANTIALIASING_PORTS(PORT, IMAGE, OUTPUT)                    \
   PORT(beforeAntialiasing,         READ,     FLOAT, 3,             ALL,       ALWAYS) \

@@ -37,6 +37,9 @@ BufferContent Denoiser::readBuffer(const std::string& name) const {
   return withClErrors("readBuffer", [&] { return m_implementation->readBuffer(name); });
 }
 MemoryUse Denoiser::memoryUse() const { return m_implementation->memoryUse(); }
+MemoryUse Denoiser::memoryNeeded(const Frame& frame, const Output& output) const {
+  return withClErrors("memoryNeeded", [&] { return m_implementation->memoryNeeded(frame, output); });
+}
 Timings Denoiser::timings() {
   return withClErrors("timings", [&] { return m_implementation->timings(); });
 }

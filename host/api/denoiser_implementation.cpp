@@ -6,6 +6,7 @@
 #include "host/core/cl_error.hpp"
 #include "host/core/frame_images.hpp"
 #include "host/core/handle_checks.hpp"
+#include "host/core/memory_checks.hpp"
 #include "host/core/reprojection.hpp"
 #include "host/core/validation.hpp"
 #include "host/core/warm_up.hpp"
@@ -13,6 +14,8 @@
 
 namespace quell {
 namespace {
+
+constexpr char kFBetaTable[] = "fBetaTable";  // the port
 
 cl_event retain(cl_event event) {
   clRetainEvent(event);
@@ -43,12 +46,9 @@ Denoiser::Implementation::Implementation(cl_context context, cl_device_id device
 
 void Denoiser::Implementation::prepare(const Frame& frame, const Output& output) {
   unprepare();
-  checkLayout(frame, output);
+  m_configuration = configurationFor(frame, output);
   if (frame.camera.worldToClip != Matrix4{}) requirePerspective(frame, "prepare");
-  m_configuration.frame = frame;
-  m_configuration.output = output;
   try {
-    requireFBetaImages(m_configuration);
     makeTables();
     m_pipeline = Pipeline(m_context, m_device, m_queue, m_cache, m_configuration, m_method.makeSchedule);
     warmUp();
@@ -60,12 +60,30 @@ void Denoiser::Implementation::prepare(const Frame& frame, const Output& output)
   m_prepared = true;
 }
 
+Configuration Denoiser::Implementation::configurationFor(const Frame& frame, const Output& output) const {
+  checkLayout(frame, output);
+  checkKinds("prepare", frame, output, m_device, m_context());
+  Configuration configuration = m_configuration;
+  configuration.frame = frame;
+  configuration.output = output;
+  resolveImageObjects(configuration.frame, configuration.output);
+  requireFBetaImages(configuration);
+  return configuration;
+}
+
+MemoryUse Denoiser::Implementation::memoryNeeded(const Frame& frame, const Output& output) const {
+  Configuration configuration = configurationFor(frame, output);
+  if (dividesByFBeta(configuration)) configuration.tables[kFBetaTable];  // the caller's runtime never sees it
+  return Pipeline::memoryNeeded(m_cache, std::move(configuration), m_method.makeSchedule);
+}
+
 Event Denoiser::Implementation::denoise(const Frame& frame, const Output& output,
                                         const std::vector<cl_event>& waitList) {
   if (!m_prepared)
     throw Error(ErrorCode::NotPrepared, {"denoise", "", "a call of prepare() before", "none that succeeded"});
   checkSameLayout(m_configuration.frame, m_configuration.output, frame, output);
-  checkMemory(frame, output, m_context());
+  checkNumbers("denoise", frame);
+  checkMemory("denoise", frame, output, m_context());
   checkHalfPositions(frame);
   requirePerspective(frame, "denoise");
   const cl::Event last = record(frame, output, checkedEvents(waitList, m_context));
@@ -74,7 +92,7 @@ Event Denoiser::Implementation::denoise(const Frame& frame, const Output& output
 
 void Denoiser::Implementation::makeTables() {
   if (dividesByFBeta(m_configuration))
-    m_configuration.tables["fBetaTable"] =
+    m_configuration.tables[kFBetaTable] =
         FBetaTable(m_context, m_device, m_queue, m_configuration.device, m_cache, Shadowing::Separable)
             .buffer();
 }
@@ -104,8 +122,10 @@ cl::Event Denoiser::Implementation::record(const Frame& frame, const Output& out
                                            std::vector<cl::Event> waitFor) {
   forgetFailedFrame();
   const bool historyValid = m_frameIndex > 0;
-  const ReprojectionParams reprojection =
-      makeReprojectionParams(frame.camera, frame.size, m_configuration.runtime.discard, historyValid);
+  Camera camera = frame.camera;
+  if (camera.worldToClipPrev == Matrix4{}) camera.worldToClipPrev = m_latestFrame.camera.worldToClip;
+  const ReprojectionParams reprojection = makeReprojectionParams(
+      camera, frame.size, m_configuration.runtime.discard, historyValid, frame.motionScale);
   if (m_outOfOrder && m_lastEvent() != nullptr) waitFor.push_back(m_lastEvent);
   // On an in-order queue the chain carries on what a failing event of the wait list means for later kernels.
   const bool chain = m_outOfOrder || !waitFor.empty();

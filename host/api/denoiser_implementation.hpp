@@ -28,6 +28,7 @@ class Denoiser::Implementation {
     m_checker.forget();
   }
 
+  MemoryUse memoryNeeded(const Frame& frame, const Output& output) const;
   MemoryUse memoryUse() const { return m_pipeline.buffers().memoryUse(); }
   std::vector<std::string> bufferNames() const;
   BufferContent readBuffer(const std::string& name) const;
@@ -38,6 +39,7 @@ class Denoiser::Implementation {
 
  private:
   void unprepare();
+  Configuration configurationFor(const Frame& frame, const Output& output) const;
   void makeTables();
   void warmUp();
   void startTimer();

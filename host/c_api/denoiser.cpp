@@ -90,7 +90,18 @@ quell_status quellGetDenoiserSettings(const quell_denoiser* denoiser, quell_sett
   return guarded("quellGetDenoiserSettings", [&] {
     require(denoiser, "quellGetDenoiserSettings", "denoiser");
     require(settings, "quellGetDenoiserSettings", "settings");
-    *settings = new quell_settings{denoiser->denoiser.settings(), {}};
+    *settings = new quell_settings{denoiser->denoiser.settings(), {}, {}};
+  });
+}
+
+quell_status quellGetMemoryNeeded(quell_denoiser* denoiser, const quell_frame* frame,
+                                  const quell_output* output, quell_memory_use* use) {
+  return guarded("quellGetMemoryNeeded", [&] {
+    require(denoiser, "quellGetMemoryNeeded", "denoiser");
+    denoiser->memory = denoiser->denoiser.memoryNeeded(toFrame(frame, "quellGetMemoryNeeded"),
+                                                       toOutput(output, "quellGetMemoryNeeded"));
+    writeStruct(use, {0, denoiser->memory.totalBytes, denoiser->memory.buffers.size()},
+                "quellGetMemoryNeeded", "use");
   });
 }
 

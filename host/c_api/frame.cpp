@@ -18,6 +18,45 @@ namespace {
   throw Error(ErrorCode::InvalidArgument, {function, field, expected, std::to_string(got)});
 }
 
+Sum toSum(quell_sum sum, const char* function, const char* name) {
+  switch (sum) {
+    case QUELL_NO_SUM:
+      return Sum::None;
+    case QUELL_COUNT_IN_FOURTH:
+      return Sum::CountInFourth;
+    case QUELL_OVER_SAMPLE_COUNT:
+      return Sum::OverSampleCount;
+  }
+  refuseEnumerator(function, std::string(name) + ".sum",
+                   "QUELL_NO_SUM, QUELL_COUNT_IN_FOURTH or QUELL_OVER_SAMPLE_COUNT", sum);
+}
+
+DepthKind toDepthKind(quell_depth_kind kind, const char* function) {
+  switch (kind) {
+    case QUELL_DEPTH_VIEW:
+      return DepthKind::View;
+    case QUELL_DEPTH_NEGATIVE_VIEW:
+      return DepthKind::NegativeView;
+    case QUELL_DEPTH_RAY:
+      return DepthKind::Ray;
+    case QUELL_DEPTH_HYPERBOLIC:
+      return DepthKind::Hyperbolic;
+    case QUELL_DEPTH_REVERSED:
+      return DepthKind::Reversed;
+  }
+  refuseEnumerator(function, "depthKind", "QUELL_DEPTH_VIEW, _NEGATIVE_VIEW, _RAY, _HYPERBOLIC or _REVERSED",
+                   kind);
+}
+
+/// Numbers for which 0 stands for a default of another value.
+void readNumbers(const quell_frame& read, Frame& frame) {
+  frame.depthNear = read.depthNear;
+  if (read.depthFar != 0.0) frame.depthFar = read.depthFar;
+  if (read.motionScale[0] != 0.0 || read.motionScale[1] != 0.0)
+    frame.motionScale = {read.motionScale[0], read.motionScale[1]};
+  if (read.sampleCount != 0.0) frame.sampleCount = read.sampleCount;
+}
+
 ImageView toView(const quell_image_view& given, const char* function, const char* name) {
   ImageView view;
   view.memory = given.memory;
@@ -31,10 +70,14 @@ ImageView toView(const quell_image_view& given, const char* function, const char
     case QUELL_UINT32:
       view.format = ComponentFormat::UInt32;
       break;
+    case QUELL_IMAGE_OBJECT:
+      view.format = ComponentFormat::ImageObject;
+      break;
     default:
       refuseEnumerator(function, std::string(name) + ".format",
-                       "QUELL_FLOAT32, QUELL_FLOAT16 or QUELL_UINT32", given.format);
+                       "QUELL_FLOAT32, QUELL_FLOAT16, QUELL_UINT32 or QUELL_IMAGE_OBJECT", given.format);
   }
+  view.sum = toSum(given.sum, function, name);
   view.channels = given.channels;
   view.offsetBytes = given.offsetBytes;
   view.pixelStrideBytes = given.pixelStrideBytes;
@@ -99,6 +142,8 @@ Frame toFrame(const quell_frame* given, const char* function) {
   frame.size = {read.width, read.height};
   frame.camera = toCamera(read.camera);
   frame.demodulated = read.demodulated != 0;
+  frame.depthKind = toDepthKind(read.depthKind, function);
+  readNumbers(read, frame);
   forEachInput(read, frame, [&](const ImageFacts& facts, const quell_image_view& image, ImageView& view) {
     view = toView(image, function, facts.name);
   });

@@ -10,7 +10,8 @@
 
 struct quell_settings {
   quell::Settings settings;
-  std::string text;  // last handed out by quellGetSetting
+  std::string text;                          // last handed out by quellGetSetting
+  std::vector<quell::InputNeed> needs = {};  // as of quellGetInputNeed
 };
 
 struct quell_denoiser {

@@ -89,7 +89,7 @@ quell_status quellCreateSettings(const char* method, quell_settings** settings) 
   return guarded("quellCreateSettings", [&] {
     require(settings, "quellCreateSettings", "settings");
     quell::Settings values = method == nullptr ? quell::Settings() : quell::Settings(method);
-    *settings = new quell_settings{std::move(values), {}};
+    *settings = new quell_settings{std::move(values), {}, {}};
   });
 }
 
@@ -136,6 +136,18 @@ quell_status quellGetSettingNumber(const quell_settings* settings, const char* n
     require(name, "quellGetSettingNumber", "name");
     require(value, "quellGetSettingNumber", "value");
     *value = settings->settings.get(name);
+  });
+}
+
+quell_status quellGetInputNeed(quell_settings* settings, size_t index, quell_input_need* need) {
+  return guarded("quellGetInputNeed", [&] {
+    require(settings, "quellGetInputNeed", "settings");
+    settings->needs = quell::inputNeeds(settings->settings);
+    requireIndex(index, settings->needs.size(), "quellGetInputNeed", "index");
+    const quell::InputNeed& found = settings->needs[index];
+    writeStruct(need,
+                {0, found.image.c_str(), static_cast<quell_input_use>(found.use), found.without.c_str()},
+                "quellGetInputNeed", "need");
   });
 }
 

@@ -19,8 +19,7 @@ cl::Buffer allocate(const cl::Context& context, std::size_t bytes, const std::st
 
 }  // namespace
 
-BufferSet::BufferSet(const cl::Context& context, const cl::CommandQueue& queue, const Plan& plan, Size size,
-                     const std::vector<std::string>& kept) {
+BufferSet::BufferSet(const Plan& plan, Size size, const std::vector<std::string>& kept) {
   for (const BufferSpec& spec : plan.buffers) {
     const std::size_t bytes = elementCount(spec, size) * elementBytes(spec.element);
     const bool isKept = std::find(kept.begin(), kept.end(), spec.name) != kept.end();
@@ -33,6 +32,11 @@ BufferSet::BufferSet(const cl::Context& context, const cl::CommandQueue& queue, 
     slot.names += (slot.names.empty() ? "" : " + ") + spec.name;
     slot.busyUntil = isKept ? std::numeric_limits<int>::max() : spec.lastRow;
   }
+}
+
+BufferSet::BufferSet(const cl::Context& context, const cl::CommandQueue& queue, const Plan& plan, Size size,
+                     const std::vector<std::string>& kept)
+    : BufferSet(plan, size, kept) {
   for (Slot& slot : m_slots) {
     for (std::size_t copy = 0; copy < (slot.history ? 2u : 1u); ++copy) {
       slot.buffers[copy] = allocate(context, slot.bytes, slot.names);
@@ -61,7 +65,7 @@ std::vector<cl_mem> BufferSet::arguments(const std::vector<Binding>& row, const 
     const Port& port = binding.port;
     if (!port.exists) {
       memory.push_back(nullptr);
-    } else if (port.isImage()) {
+    } else if (port.isImage() && !binding.hasBuffer()) {
       memory.push_back(port.view(frame, output).memory);
     } else if (port.access == Access::Table) {
       memory.push_back(configuration.tables.at(port.name)());

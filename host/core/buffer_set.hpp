@@ -13,6 +13,8 @@ namespace quell {
 class BufferSet {
  public:
   BufferSet() = default;
+  /// Knows how much memory there would be, and allocates none.
+  BufferSet(const Plan& plan, Size size, const std::vector<std::string>& kept);
   /// Allocates and fills with zeros (blocks); buffers in `kept` keep their memory to the end of the frame. Throws
   /// Error(OutOfMemory) naming the buffer.
   BufferSet(const cl::Context& context, const cl::CommandQueue& queue, const Plan& plan, Size size,

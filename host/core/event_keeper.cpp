@@ -1,7 +1,7 @@
 #include "host/core/event_keeper.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <memory>
 #include <mutex>
 
 namespace quell {
@@ -11,21 +11,32 @@ bool isDone(const EventChain& chain) {
   return chain.back().second.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() <= CL_COMPLETE;
 }
 
-/// Keeps the chains of frames that have failed, or are still pending when their denoiser goes.
-void outliveDenoiser(std::deque<EventChain> chains) noexcept {
+/// Keeps the events of a failed frame as long as the process.
+void keepForever(EventChain chain) noexcept {
   static std::mutex mutex;
   static auto* const kept =
       new std::deque<EventChain>;  // never destroyed: a runtime may outlive static objects
   try {
     const std::lock_guard<std::mutex> lock(mutex);
-    const auto hasSucceeded = [](const EventChain& chain) {
-      return chain.back().second.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() == CL_COMPLETE;
-    };
-    kept->erase(std::remove_if(kept->begin(), kept->end(), hasSucceeded), kept->end());
-    for (EventChain& chain : chains)
-      if (!hasSucceeded(chain)) kept->push_back(std::move(chain));
+    kept->push_back(std::move(chain));
   } catch (...) {
     // Nothing that a caller could do about it.
+  }
+}
+
+void CL_CALLBACK onEnd(cl_event, cl_int status, void* data) {
+  const std::unique_ptr<EventChain> chain(static_cast<EventChain*>(data));
+  if (status != CL_COMPLETE) keepForever(std::move(*chain));
+}
+
+/// Keeps the events of a frame that has failed, or is still pending when its denoiser goes: the latter until it ends.
+void outliveDenoiser(EventChain chain) noexcept {
+  try {
+    auto held = std::make_unique<EventChain>(std::move(chain));
+    held->back().second.setCallback(CL_COMPLETE, onEnd, held.get());
+    static_cast<void>(held.release());  // the callback's
+  } catch (...) {
+    // Without a callback they go now.
   }
 }
 
@@ -35,7 +46,9 @@ bool hasFailed(const cl::Event& event) {
   return event() != nullptr && event.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() < 0;
 }
 
-EventKeeper::~EventKeeper() { outliveDenoiser(std::move(m_chains)); }
+EventKeeper::~EventKeeper() {
+  for (EventChain& chain : m_chains) outliveDenoiser(std::move(chain));
+}
 
 void EventKeeper::keep(const EventChain& events) {
   while (!m_chains.empty() && isDone(m_chains.front())) m_chains.pop_front();
@@ -47,7 +60,7 @@ bool EventKeeper::takeFailed() {
       std::stable_partition(m_chains.begin(), m_chains.end(),
                             [](const EventChain& chain) { return !hasFailed(chain.back().second); });
   if (firstFailed == m_chains.end()) return false;
-  outliveDenoiser({std::make_move_iterator(firstFailed), std::make_move_iterator(m_chains.end())});
+  for (auto chain = firstFailed; chain != m_chains.end(); ++chain) keepForever(std::move(*chain));
   m_chains.erase(firstFailed, m_chains.end());
   return true;
 }

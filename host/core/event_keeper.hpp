@@ -1,5 +1,6 @@
 // Events of frames in flight, kept until they are done. Some runtimes touch events of a chain that fails after they have
-// given them back (PoCL 3.1), so that references of our own must outlast the failure.
+// given them back (PoCL 3.1), so that references of our own must outlast the failure: those of failed frames last as long
+// as the process.
 #pragma once
 
 #include <deque>
@@ -13,7 +14,7 @@ class EventKeeper {
   EventKeeper() = default;
   EventKeeper(const EventKeeper&) = delete;
   EventKeeper& operator=(const EventKeeper&) = delete;
-  /// What is still pending is kept by the process.
+  /// What is still pending is kept until it ends; then queue and context are let go of.
   ~EventKeeper();
 
   void keep(const EventChain& events);

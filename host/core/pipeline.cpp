@@ -18,11 +18,25 @@ Pipeline::Pipeline(const cl::Context& context, const cl::Device& device, const c
                    const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule)
     : m_configuration(std::move(configuration)) {
   const DeviceTuning tuning = readTuning(cache.disk(), m_configuration.device.identity);
+  plan(tuning, makeSchedule);
+  buildStages(context, device, cache, tuning);
+  m_buffers = BufferSet(context, queue, m_plan, m_configuration.size(), m_configuration.options.keptBuffers);
+}
+
+MemoryUse Pipeline::memoryNeeded(const ProgramCache& cache, Configuration configuration,
+                                 const MakeSchedule& makeSchedule) {
+  Pipeline planned;
+  planned.m_configuration = std::move(configuration);
+  planned.plan(readTuning(cache.disk(), planned.m_configuration.device.identity), makeSchedule);
+  return BufferSet(planned.m_plan, planned.m_configuration.size(),
+                   planned.m_configuration.options.keptBuffers)
+      .memoryUse();
+}
+
+void Pipeline::plan(const DeviceTuning& tuning, const MakeSchedule& makeSchedule) {
   agreeOnLanes(tuning, makeSchedule);
   for (const std::string& name : m_configuration.options.keptBuffers)
     m_plan.require(name, "prepare", "options.keptBuffers");
-  buildStages(context, device, cache, tuning);
-  m_buffers = BufferSet(context, queue, m_plan, m_configuration.size(), m_configuration.options.keptBuffers);
 }
 
 // The surfaces have one byte a work-item: stages that share them must agree on what a work-item is.

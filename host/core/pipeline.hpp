@@ -25,6 +25,10 @@ class Pipeline {
   Pipeline(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue,
            const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule);
 
+  /// What such a pipeline would allocate. Throws as above, but builds nothing.
+  static MemoryUse memoryNeeded(const ProgramCache& cache, Configuration configuration,
+                                const MakeSchedule& makeSchedule);
+
   const Configuration& configuration() const { return m_configuration; }
   const Plan& plan() const { return m_plan; }
   const BufferSet& buffers() const { return m_buffers; }
@@ -46,6 +50,7 @@ class Pipeline {
   std::vector<std::uint8_t> surfaces(const cl::CommandQueue& queue) const;
 
  private:
+  void plan(const DeviceTuning& tuning, const MakeSchedule& makeSchedule);
   void agreeOnLanes(const DeviceTuning& tuning, const MakeSchedule& makeSchedule);
   void buildStages(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
                    const DeviceTuning& tuning);

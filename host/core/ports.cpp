@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/core/imported_images.hpp"
 #include "host/core/schedule.hpp"
 
 namespace quell {
@@ -16,8 +17,10 @@ std::size_t loadedChannels(const ImageView& view) {
 }
 
 double imageBytes(const ImageView& view, Size size) {
+  const std::size_t pixel =
+      view.isImageObject() ? texelBytes(view) : loadedChannels(view) * view.componentBytes();
   return static_cast<double>(size.width) * static_cast<double>(size.height) *
-         static_cast<double>(loadedChannels(view) * view.componentBytes());
+         static_cast<double>(view.present() ? pixel : 0);
 }
 
 }  // namespace
@@ -73,7 +76,8 @@ std::string Port::usualBuffer() const {
 
 ImageView Port::view(const Frame& frame, const Output& out) const {
   if (!exists || !isImage()) return {};
-  return input != nullptr ? frame.*input : out.*output;
+  if (output != nullptr) return out.*output;
+  return asGiven ? frame.*input : viewForStages(frame, input);
 }
 
 double touchedBytes(const Port& port, const Configuration& configuration) {

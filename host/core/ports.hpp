@@ -68,6 +68,7 @@ struct Port {
   const ImageView Frame::*input = nullptr;
   const ImageView Output::*output = nullptr;
   const char* options = "";
+  bool asGiven = false;  ///< the caller's image itself, where others read it as imported
 
   bool isImage() const { return input != nullptr || output != nullptr; }
   bool writes() const {
@@ -76,7 +77,7 @@ struct Port {
   /// The buffer that the port is wired to unless the method's row says otherwise: of its own name, without "Prev" where
   /// that of the frame before is read.
   std::string usualBuffer() const;
-  /// The view of the image; absent where the port is.
+  /// The view of the image as stages read it, imported or not; absent where the port is.
   ImageView view(const Frame& frame, const Output& out) const;
 };
 

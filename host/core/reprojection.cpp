@@ -59,6 +59,9 @@ QuellFloat4 toFloat4(glm::dvec3 v, double w) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
 }
 
+glm::dvec3 toVector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+std::array<double, 3> toArray(glm::dvec3 v) { return {v.x, v.y, v.z}; }
+
 // The float nearest to v. Volatile: GCC 12 vectorises (double)(float)v at -O2 and drops the rounding, which
 // left nothing for the low part of the camera position.
 double roundedToFloat(double v) {
@@ -93,23 +96,13 @@ PixelRows pixelRows(const Matrix4& worldToClip, Size size, glm::dvec3 origin) {
           combine(y, -0.5 * size.height, w, 0.5 * size.height - 0.5), toFloat4(w.linear, w.constant)};
 }
 
-// Camera-relative points at view depth 1 through pixel indices; zero for orthographic cameras, whose
-// background has no direction to tell apart.
+// Zero for orthographic cameras, whose background has no direction to tell apart.
 void setViewRays(ReprojectionParams& params, const Camera& camera, Size size) {
   if (isOrthographic(camera.worldToClip)) return;
-  const glm::dvec3 x = rowLinear(camera.worldToClip, 0);
-  const glm::dvec3 y = rowLinear(camera.worldToClip, 1);
-  const glm::dvec3 w = rowLinear(camera.worldToClip, 3);
-  const double depthUnit = glm::length(w);  // clip.w at view depth 1
-  const auto ray = [&](double ndcX, double ndcY) {
-    return depthUnit * solve(x, y, w, {ndcX, ndcY, 1.0}, "worldToClip");
-  };
-  const double firstX = (1.0 + 2.0 * camera.jitterPx[0]) / size.width - 1.0;
-  const double firstY = 1.0 - (1.0 + 2.0 * camera.jitterPx[1]) / size.height;
-  const glm::dvec3 first = ray(firstX, firstY);
-  params.rayOrigin = toFloat4(first, 0.0);
-  params.rayX = toFloat4(ray(firstX + 2.0 / size.width, firstY) - first, 0.0);
-  params.rayY = toFloat4(ray(firstX, firstY - 2.0 / size.height) - first, 0.0);
+  const ViewRays rays = viewRays(camera.worldToClip, camera.jitterPx, size);
+  params.rayOrigin = toFloat4(toVector(rays.origin), 0.0);
+  params.rayX = toFloat4(toVector(rays.stepX), 0.0);
+  params.rayY = toFloat4(toVector(rays.stepY), 0.0);
 }
 
 void checkJitter(const Camera& camera) {
@@ -131,12 +124,33 @@ std::array<double, 3> cameraPositionWorld(const Matrix4& worldToClip, const char
   return {p.x, p.y, p.z};
 }
 
+std::array<double, 3> ViewRays::at(int x, int y) const {
+  return toArray(toVector(origin) + double(x) * toVector(stepX) + double(y) * toVector(stepY));
+}
+
+ViewRays viewRays(const Matrix4& worldToClip, const std::array<double, 2>& jitterPx, Size size) {
+  const glm::dvec3 x = rowLinear(worldToClip, 0);
+  const glm::dvec3 y = rowLinear(worldToClip, 1);
+  const glm::dvec3 w = rowLinear(worldToClip, 3);
+  const double depthUnit = glm::length(w);  // clip.w at view depth 1
+  const auto ray = [&](double ndcX, double ndcY) {
+    return depthUnit * solve(x, y, w, {ndcX, ndcY, 1.0}, "worldToClip");
+  };
+  const double firstX = (1.0 + 2.0 * jitterPx[0]) / size.width - 1.0;
+  const double firstY = 1.0 - (1.0 + 2.0 * jitterPx[1]) / size.height;
+  const glm::dvec3 first = ray(firstX, firstY);
+  return {toArray(first), toArray(ray(firstX + 2.0 / size.width, firstY) - first),
+          toArray(ray(firstX, firstY - 2.0 / size.height) - first)};
+}
+
 ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const DiscardLimits& limits,
-                                          bool historyValid) {
+                                          bool historyValid, const std::array<double, 2>& motionScale) {
   checkJitter(camera);
   const glm::dvec3 origin = position(camera.worldToClip, "worldToClip");
   ReprojectionParams params{};
   params.historyValid = historyValid ? 1 : 0;
+  params.motionScaleX = static_cast<float>(motionScale[0]);
+  params.motionScaleY = static_cast<float>(motionScale[1]);
 
   const glm::dvec3 high(roundedToFloat(origin.x), roundedToFloat(origin.y), roundedToFloat(origin.z));
   params.cameraHigh = toFloat4(high, 0.0);

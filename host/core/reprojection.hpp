@@ -1,9 +1,11 @@
 // From the caller's camera to what kernels need, in double precision.
 #pragma once
 
+#include <array>
 #include <quell/camera.hpp>
 #include <quell/image_view.hpp>
 
+#include "host/core/view_rays.hpp"
 #include "kernels/common/reprojection_params.h"
 
 namespace quell {
@@ -16,15 +18,13 @@ struct DiscardLimits {
 };
 
 /// Throws Error(InvalidArgument) naming the matrix if one is not finite or cannot be a camera.
-/// `historyValid` is false on the first frame; worldToClipPrev is then ignored.
+/// `historyValid` is false on the first frame; worldToClipPrev is then ignored. `motionScale` as Frame has it.
 ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const DiscardLimits& limits,
-                                          bool historyValid);
+                                          bool historyValid,
+                                          const std::array<double, 2>& motionScale = {1.0, 1.0});
 
 /// World position of the camera: where clip x, y and w vanish; for orthographic cameras the point of the
 /// view axis that is nearest the world origin. Throws as above.
 std::array<double, 3> cameraPositionWorld(const Matrix4& worldToClip, const char* name);
-
-/// True if clip.w does not depend on the position, up to rounding.
-bool isOrthographic(const Matrix4& worldToClip);
 
 }  // namespace quell

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "host/core/display_transform.hpp"
 #include "host/core/reprojection.hpp"
 #include "kernels/common/demodulate_modes.h"
 
@@ -19,6 +20,7 @@ constexpr std::array<const char*, 3> choiceNames(Demodulation) { return {"none",
 struct RuntimeSettings {
   Demodulation demodulation = Demodulation::Albedo;
   DiscardLimits discard = {};
+  DisplayTransform display = {};
 };
 
 }  // namespace quell

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "host/core/imported_images.hpp"
 #include "host/core/round_up.hpp"
 #include "host/core/stage.hpp"
 
@@ -19,8 +20,14 @@ class Planner {
     std::vector<Binding> bindings;
     for (const Port& port : row.stage->ports(m_configuration)) bindings.push_back({port, -1});
     for (const Wire& wire : row.wires) checkWire(wire, bindings);
-    for (Binding& binding : bindings)
-      if (binding.port.exists && !binding.port.isImage()) bind(binding, bufferOf(binding.port, row.wires));
+    for (Binding& binding : bindings) {
+      if (isImportedPort(binding.port)) {
+        binding.port.extent = importedExtent(m_configuration.frame, binding.port.input);
+        bind(binding, importedBuffer(binding.port.name));
+      } else if (binding.port.exists && !binding.port.isImage()) {
+        bind(binding, bufferOf(binding.port, row.wires));
+      }
+    }
     checkAliases(bindings);
     // What the row writes may be read from the next row on.
     for (const Binding& binding : bindings)
@@ -40,6 +47,11 @@ class Planner {
                            const std::string& got) const {
     throw std::logic_error("the method's table, stage " + m_name + ", " + port + ": expected " + expected +
                            ", got " + got);
+  }
+
+  bool isImportedPort(const Port& port) const {
+    return port.exists && port.input != nullptr && !port.asGiven &&
+           isImported(m_configuration.frame, port.input);
   }
 
   static std::string bufferOf(const Port& port, const std::vector<Wire>& wires) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "host/core/imported_images.hpp"
 #include "host/core/kernel_sources.hpp"
 #include "host/core/round_up.hpp"
 
@@ -19,18 +20,10 @@ std::string layoutOptions(const Port& port, const ImageView& view) {
   const std::string name = port.options;
   // As QUELL_FORMAT_FLOAT and its like in kernels/common/image_access.h.
   const int format = !view.present() ? 0 : static_cast<int>(view.format) + 1;
-  const std::size_t stride = view.present() ? view.pixelStride() / view.componentBytes() : 0;
+  const std::size_t stride =
+      view.present() && !view.isImageObject() ? view.pixelStride() / view.componentBytes() : 0;
   return " -D " + name + "_FORMAT=" + std::to_string(format) + " -D " + name +
          "_CHANNELS=" + std::to_string(view.channels) + " -D " + name + "_STRIDE=" + std::to_string(stride);
-}
-
-// The part of the layout that is a kernel argument.
-ImageViewParams makeViewParams(const ImageView& view, Size size) {
-  ImageViewParams params{};
-  if (!view.present()) return params;
-  params.offset = static_cast<QuellInt>(view.offsetBytes / view.componentBytes());
-  params.rowPitch = static_cast<QuellInt>(view.rowPitch(size.width) / view.componentBytes());
-  return params;
 }
 
 }  // namespace
@@ -74,10 +67,25 @@ cl::NDRange KernelBuilder::pixelWorkGroup(const cl::Kernel& kernel) const {
   return cl::NDRange(x, y);
 }
 
+ImageViewParams makeViewParams(const ImageView& view, Size size) {
+  ImageViewParams params{};
+  if (!view.present()) return params;
+  if (view.isImageObject()) {
+    const bool bottomUp = view.rowPitchBytes < 0;
+    params.offset = bottomUp ? size.height - 1 : 0;
+    params.rowPitch = bottomUp ? -1 : 1;
+    return params;
+  }
+  const auto component = static_cast<std::ptrdiff_t>(view.componentBytes());
+  params.offset = static_cast<QuellInt>(view.offsetBytes / view.componentBytes());
+  params.rowPitch = static_cast<QuellInt>(view.rowPitch(size.width) / component);
+  return params;
+}
+
 FrameImageParams makeImageParams(const Frame& frame) {
   FrameImageParams params{};
 #define QUELL_VIEW_PARAMS(name, NAME, least, most, kind, presence, files, texts) \
-  params.name = makeViewParams(frame.name, frame.size);
+  params.name = makeViewParams(viewForStages(frame, &Frame::name), frame.size);
   QUELL_FRAME_IMAGES(QUELL_VIEW_PARAMS)
 #undef QUELL_VIEW_PARAMS
   return params;

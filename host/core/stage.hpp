@@ -63,6 +63,8 @@ class DeviceKernelBuilder : public KernelBuilder {
   const ProgramCache& m_cache;
 };
 
+/// The part of a layout that is a kernel argument: in components, or in rows of an image object.
+ImageViewParams makeViewParams(const ImageView& view, Size size);
 /// Where all images of a frame lie, for kernels.
 FrameImageParams makeImageParams(const Frame& frame);
 OutputImageParams makeImageParams(const Output& output, Size size);

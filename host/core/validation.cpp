@@ -2,13 +2,16 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <functional>
 #include <limits>
 #include <quell/error.hpp>
 #include <string>
 #include <vector>
 
-#include "host/core/cl_error.hpp"
-#include "host/core/image_schema.hpp"
+#include "host/core/depth.hpp"
+#include "host/core/memory_checks.hpp"
+#include "host/core/named_views.hpp"
 #include "host/core/reprojection.hpp"
 
 namespace quell {
@@ -23,29 +26,6 @@ constexpr std::int64_t kMostPixels = std::int64_t{1} << 27;
 // Kernels count the components of a caller's image in 32 bits.
 constexpr std::size_t kMostComponents = std::numeric_limits<std::int32_t>::max();
 
-struct NamedView {
-  std::string name;
-  const ImageView* view;
-  const ImageFacts* facts;
-  bool output;
-};
-
-std::vector<NamedView> namedViews(const Frame& frame, const Output& output) {
-  std::vector<NamedView> views;
-  for (const auto& image : kInputs<Frame>)
-    views.push_back({image.name, &(frame.*image.member), &image, false});
-  for (const auto& image : kOutputs<Output>)
-    views.push_back({std::string("output.") + image.name, &(output.*image.member), &image, true});
-  return views;
-}
-
-[[noreturn]] void refuse(const char* function, ErrorCode code, const std::string& buffer,
-                         const std::string& expected, const std::string& got) {
-  throw Error(code, {function, buffer, expected, got});
-}
-
-std::string sizeText(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
-
 void checkSize(const char* function, Size size) {
   if (size.width < 1 || size.height < 1 || size.width > kMostExtent || size.height > kMostExtent ||
       std::int64_t{size.width} * size.height > kMostPixels) {
@@ -58,7 +38,57 @@ void checkSize(const char* function, Size size) {
 
 std::string formatText(ComponentFormat format) {
   if (format == ComponentFormat::UInt32) return "32-bit unsigned integers";
+  if (format == ComponentFormat::ImageObject) return "components of an image object";
   return format == ComponentFormat::Float32 ? "floats" : "halves";
+}
+
+using Invalid = std::function<void(const std::string& expected, const std::string& got)>;
+
+std::string bytesText(std::ptrdiff_t bytes) { return std::to_string(bytes); }
+
+void checkImageObject(const ImageView& view, const Invalid& invalid) {
+  if (view.offsetBytes != 0 || view.pixelStrideBytes != 0 || view.rowPitchBytes > 0)
+    invalid(
+        "no offset, pixel stride or row pitch of an image object, but a negative pitch for rows bottom-up",
+        "offset " + std::to_string(view.offsetBytes) + ", stride " + std::to_string(view.pixelStrideBytes) +
+            ", pitch " + bytesText(view.rowPitchBytes));
+}
+
+void checkStrides(const ImageView& view, Size size, const Invalid& invalid) {
+  const std::size_t component = view.componentBytes();
+  // Far above what fits below, and low enough that no sum or product here overflows.
+  const std::size_t most = kMostComponents * component;
+  const auto pitchBytes =
+      static_cast<std::size_t>(view.rowPitchBytes < 0 ? 0 - static_cast<std::size_t>(view.rowPitchBytes)
+                                                      : static_cast<std::size_t>(view.rowPitchBytes));
+  for (const std::size_t bytes : {view.offsetBytes, view.pixelStrideBytes, pitchBytes})
+    if (bytes > most)
+      invalid("offset, pixel stride and row pitch up to " + std::to_string(most) + " bytes",
+              std::to_string(bytes));
+  const std::size_t pixelBytes = component * static_cast<std::size_t>(view.channels);
+  if (view.offsetBytes % component != 0)
+    invalid("an offset in multiples of " + std::to_string(component) + " bytes",
+            std::to_string(view.offsetBytes));
+  if (view.pixelStride() % component != 0 || view.pixelStride() < pixelBytes) {
+    invalid("a pixel stride of at least " + std::to_string(pixelBytes) + " bytes in multiples of " +
+                std::to_string(component),
+            std::to_string(view.pixelStride()));
+  }
+  const std::ptrdiff_t pitch = view.rowPitch(size.width);
+  const auto distance = static_cast<std::size_t>(std::abs(pitch));
+  if (distance % component != 0 || distance < view.rowBytes(size.width)) {
+    invalid("a row pitch of at least " + std::to_string(view.rowBytes(size.width)) +
+                " bytes, up or down, in multiples of " + std::to_string(component),
+            bytesText(pitch));
+  }
+  const std::size_t below = static_cast<std::size_t>(size.height - 1) * distance;
+  if (pitch < 0 && view.offsetBytes < below)
+    invalid("an offset of at least " + std::to_string(below) +
+                " bytes, where the last of the memory's rows begins (bottomUp() sets it)",
+            std::to_string(view.offsetBytes));
+  if (view.requiredBytes(size) / component > kMostComponents)
+    invalid("fewer than 2^31 components up to the last pixel",
+            std::to_string(view.requiredBytes(size) / component));
 }
 
 void checkView(const char* function, const NamedView& named, Size size) {
@@ -74,76 +104,29 @@ void checkView(const char* function, const NamedView& named, Size size) {
   }
   if (view.format == ComponentFormat::UInt32 && !facts.identifiers())
     invalid("floats or halves", formatText(view.format));
-  const std::size_t component = view.componentBytes();
-  // Far above what fits below, and low enough that no sum or product here overflows.
-  const std::size_t most = kMostComponents * component;
-  for (const std::size_t bytes : {view.offsetBytes, view.pixelStrideBytes, view.rowPitchBytes})
-    if (bytes > most)
-      invalid("offset, pixel stride and row pitch up to " + std::to_string(most) + " bytes",
-              std::to_string(bytes));
-  const std::size_t pixelBytes = component * static_cast<std::size_t>(view.channels);
-  if (view.offsetBytes % component != 0)
-    invalid("an offset in multiples of " + std::to_string(component) + " bytes",
-            std::to_string(view.offsetBytes));
-  if (view.pixelStride() % component != 0 || view.pixelStride() < pixelBytes) {
-    invalid("a pixel stride of at least " + std::to_string(pixelBytes) + " bytes in multiples of " +
-                std::to_string(component),
-            std::to_string(view.pixelStride()));
+  if (view.isImageObject() && facts.identifiers())
+    invalid("a buffer: identifiers are compared bit by bit", "an image object");
+  if (view.sum != Sum::None && (named.output || facts.identifiers())) invalid("values", "sums");
+  if (view.sum == Sum::CountInFourth && view.channels != 4)
+    invalid("4 channels, of which the fourth counts", std::to_string(view.channels));
+  if (view.isImageObject()) {
+    checkImageObject(view, invalid);
+  } else {
+    checkStrides(view, size, invalid);
   }
-  const std::size_t rowBytes = view.pixelStride() * static_cast<std::size_t>(size.width - 1) + pixelBytes;
-  if (view.rowPitch(size.width) % component != 0 || view.rowPitch(size.width) < rowBytes) {
-    invalid("a row pitch of at least " + std::to_string(rowBytes) + " bytes in multiples of " +
-                std::to_string(component),
-            std::to_string(view.rowPitch(size.width)));
-  }
-  if (view.requiredBytes(size) / component > kMostComponents)
-    invalid("fewer than 2^31 components up to the last pixel",
-            std::to_string(view.requiredBytes(size) / component));
-}
-
-bool sameLayout(const ImageView& a, const ImageView& b, int width) {
-  if (a.present() != b.present()) return false;
-  return !a.present() || (a.format == b.format && a.channels == b.channels &&
-                          a.pixelStride() == b.pixelStride() && a.rowPitch(width) == b.rowPitch(width));
 }
 
 std::string layoutText(const ImageView& view, int width) {
   if (!view.present()) return "absent";
+  const std::string sums = view.sum == Sum::None            ? ""
+                           : view.sum == Sum::CountInFourth ? ", sums with a count in the fourth"
+                                                            : ", sums over sampleCount";
+  if (view.isImageObject())
+    return std::to_string(view.channels) + " " + formatText(view.format) + sums +
+           (view.rowPitchBytes < 0 ? ", bottom-up" : "");
   return std::to_string(view.channels) + " " + formatText(view.format) + " per pixel, pixel stride " +
-         std::to_string(view.pixelStride()) + ", row pitch " + std::to_string(view.rowPitch(width)) +
-         " bytes";
-}
-
-template <class Value>
-Value memoryInfo(const char* function, const NamedView& named, cl_mem_info what) {
-  Value value{};
-  const cl_int status = clGetMemObjectInfo(named.view->memory, what, sizeof(value), &value, nullptr);
-  if (status != CL_SUCCESS)
-    refuse(function, ErrorCode::InvalidArgument, named.name, "a valid buffer object", clErrorName(status));
-  return value;
-}
-
-void checkMemory(const char* function, const NamedView& named, Size size, cl_context context) {
-  if (named.view->memory == nullptr)
-    refuse(function, ErrorCode::InvalidArgument, named.name, "a buffer object", "null");
-  if (memoryInfo<cl_mem_object_type>(function, named, CL_MEM_TYPE) != CL_MEM_OBJECT_BUFFER)
-    refuse(function, ErrorCode::InvalidArgument, named.name, "a buffer object",
-           "another kind of memory object");
-  if (memoryInfo<cl_context>(function, named, CL_MEM_CONTEXT) != context)
-    refuse(function, ErrorCode::WrongContext, named.name, "a buffer of the denoiser's context",
-           "one of another context");
-  const cl_mem_flags unusable = named.output ? CL_MEM_READ_ONLY : CL_MEM_WRITE_ONLY;
-  if ((memoryInfo<cl_mem_flags>(function, named, CL_MEM_FLAGS) & unusable) != 0) {
-    refuse(function, ErrorCode::InvalidArgument, named.name,
-           named.output ? "a writable buffer" : "a readable buffer",
-           named.output ? "CL_MEM_READ_ONLY" : "CL_MEM_WRITE_ONLY");
-  }
-  const std::size_t bytes = memoryInfo<std::size_t>(function, named, CL_MEM_SIZE);
-  if (bytes < named.view->requiredBytes(size)) {
-    refuse(function, ErrorCode::InvalidArgument, named.name,
-           "at least " + std::to_string(named.view->requiredBytes(size)) + " bytes for " + sizeText(size),
-           std::to_string(bytes) + " bytes");
-  }
+         std::to_string(view.pixelStride()) + ", row pitch " + bytesText(view.rowPitch(width)) + " bytes" +
+         sums;
 }
 
 void checkLayouts(const char* function, const Frame& frame, const std::vector<NamedView>& views) {
@@ -156,6 +139,12 @@ void checkLayouts(const char* function, const Frame& frame, const std::vector<Na
     refuse(function, ErrorCode::InvalidArgument, "positionWorld", "either positionWorld or viewDepth",
            frame.positionWorld.present() ? "both" : "none");
   }
+}
+
+std::string kindText(DepthKind kind) {
+  constexpr const char* kNames[] = {"View", "NegativeView", "Ray", "Hyperbolic", "Reversed"};
+  const auto index = static_cast<std::size_t>(kind);
+  return index < std::size(kNames) ? kNames[index] : std::to_string(index);
 }
 
 }  // namespace
@@ -176,6 +165,9 @@ void checkSameLayout(const Frame& prepared, const Output& preparedOutput, const 
            prepared.demodulated ? "true, as prepared" : "false, as prepared",
            frame.demodulated ? "true" : "false");
   }
+  if (frame.depthKind != prepared.depthKind)
+    refuse(kDenoise, ErrorCode::NotPrepared, "depthKind", kindText(prepared.depthKind) + ", as prepared",
+           kindText(frame.depthKind));
   const auto before = namedViews(prepared, preparedOutput);
   const auto now = namedViews(frame, output);
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -188,21 +180,34 @@ void checkSameLayout(const Frame& prepared, const Output& preparedOutput, const 
   }
 }
 
-void checkMemory(const Frame& frame, const Output& output, cl_context context) {
-  for (const NamedView& named : namedViews(frame, output))
-    if (named.view->present()) checkMemory(kDenoise, named, frame.size, context);
+void checkNumbers(const char* function, const Frame& frame) {
+  const auto invalid = [&](const char* name, const std::string& expected, double got) {
+    refuse(function, ErrorCode::InvalidArgument, name, expected, std::to_string(got));
+  };
+  for (const double scale : frame.motionScale)
+    if (!std::isfinite(scale) || scale == 0.0) invalid("motionScale", "finite factors other than 0", scale);
+  if (!(frame.sampleCount > 0.0) || !std::isfinite(frame.sampleCount))
+    invalid("sampleCount", "a number above 0", frame.sampleCount);
+  if (!frame.viewDepth.present() || !isDepthBuffer(frame.depthKind)) return;
+  if (!(frame.depthNear > 0.0) || !std::isfinite(frame.depthNear))
+    invalid("depthNear", "the near plane of the depth buffer, above 0", frame.depthNear);
+  const bool mayBeInfinite = frame.depthKind == DepthKind::Reversed;
+  if (!(frame.depthFar > frame.depthNear) || (!mayBeInfinite && std::isinf(frame.depthFar)))
+    invalid("depthFar",
+            std::string("the far plane of the depth buffer, beyond depthNear") +
+                (mayBeInfinite ? "" : ", finite"),
+            frame.depthFar);
 }
 
 void checkInputs(const char* function, const Frame& frame, cl_context context) {
   const Output none;
-  const std::vector<NamedView> views = namedViews(frame, none);
-  checkLayouts(function, frame, views);
-  for (const NamedView& named : views)
-    if (named.view->present()) checkMemory(function, named, frame.size, context);
+  checkLayouts(function, frame, namedViews(frame, none));
+  checkNumbers(function, frame);
+  checkMemory(function, frame, none, context);
 }
 
 void checkHalfPositions(const Frame& frame) {
-  if (!frame.positionWorld.present() || frame.positionWorld.format != ComponentFormat::Float16) return;
+  if (!frame.positionWorld.present() || !isNarrow(frame.positionWorld)) return;
   for (const double coordinate : cameraPositionWorld(frame.camera.worldToClip, "worldToClip")) {
     if (std::abs(coordinate) > kHalfPositionRange) {
       refuse(kDenoise, ErrorCode::OutOfRange, "positionWorld",

@@ -15,9 +15,9 @@ void checkLayout(const Frame& frame, const Output& output);
 void checkSameLayout(const Frame& prepared, const Output& preparedOutput, const Frame& frame,
                      const Output& output);
 
-/// Every present image must be a buffer of this context, large enough for its layout.
-/// Throws Error(InvalidArgument) or Error(WrongContext).
-void checkMemory(const Frame& frame, const Output& output, cl_context context);
+/// Numbers of a frame that are not a camera's: motionScale, sampleCount, depthNear, depthFar. Throws
+/// Error(InvalidArgument).
+void checkNumbers(const char* function, const Frame& frame);
 
 /// The layouts and the memory of the inputs alone, for `function`, which the caller called. Throws as above.
 void checkInputs(const char* function, const Frame& frame, cl_context context);

@@ -16,6 +16,17 @@ WarmUpImages::WarmUpImages(const cl::Context& context, const cl::CommandQueue& q
 
 void WarmUpImages::provide(const cl::Context& context, const cl::CommandQueue& queue, ImageView& view) {
   if (!view.present()) return;
+  if (view.isImageObject()) {
+    // The format does not matter to kernels.
+    m_images.emplace_back(context, CL_MEM_READ_WRITE, cl::ImageFormat(CL_RGBA, CL_FLOAT),
+                          static_cast<std::size_t>(frame.size.width),
+                          static_cast<std::size_t>(frame.size.height));
+    queue.enqueueFillImage(
+        m_images.back(), cl_float4{}, {0, 0, 0},
+        {static_cast<std::size_t>(frame.size.width), static_cast<std::size_t>(frame.size.height), 1});
+    view.memory = m_images.back()();
+    return;
+  }
   const std::size_t bytes = view.requiredBytes(frame.size);
   m_buffers.emplace_back(context, CL_MEM_READ_WRITE, bytes);
   queue.enqueueFillBuffer(m_buffers.back(), cl_uchar(0), 0, bytes);

@@ -21,6 +21,7 @@ class WarmUpImages {
   void provide(const cl::Context& context, const cl::CommandQueue& queue, ImageView& view);
 
   std::vector<cl::Buffer> m_buffers;
+  std::vector<cl::Image2D> m_images;
 };
 
 }  // namespace quell

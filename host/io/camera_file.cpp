@@ -106,15 +106,6 @@ class FrameEntry {
   const Entry &m_frame, &m_file;
 };
 
-Matrix4 product(const Matrix4& a, const Matrix4& b) {
-  Matrix4 result{};
-  for (std::size_t row = 0; row < kMatrixSide; ++row)
-    for (std::size_t column = 0; column < kMatrixSide; ++column)
-      for (std::size_t i = 0; i < kMatrixSide; ++i)
-        result[kMatrixSide * row + column] += a[kMatrixSide * row + i] * b[kMatrixSide * i + column];
-  return result;
-}
-
 FovAxis fovAxis(const FrameEntry& entry) {
   if (!entry.has("fov_axis")) return FovAxis::Y;
   const std::string name = entry.at("fov_axis", "").choice({"x", "y", "smaller", "larger"});

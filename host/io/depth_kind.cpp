@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <quell/error.hpp>
 
+#include "host/core/depth.hpp"
+#include "host/core/view_rays.hpp"
 #include "host/io/file_error.hpp"
 #include "host/io/multilayer_camera.hpp"
 
@@ -21,6 +24,7 @@ struct NamedKind {
   const char* name;
 };
 constexpr NamedKind kKinds[] = {{DepthKind::View, "view"},
+                                {DepthKind::NegativeView, "negative-view"},
                                 {DepthKind::Ray, "ray"},
                                 {DepthKind::Hyperbolic, "hyperbolic"},
                                 {DepthKind::Reversed, "reversed"}};
@@ -31,45 +35,43 @@ constexpr NamedKind kKinds[] = {{DepthKind::View, "view"},
                  got);
 }
 
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double length(const Vector3& a) { return std::sqrt(dot(a, a)); }
-
 /// What a depth becomes, or kNoSurfaceDepth: not finite, in front of no camera, or as far as the sky.
 float surfaceDepth(double view) {
   return view > 0.0 && view < double(kSkyDepth) ? float(view) : kNoSurfaceDepth;  // false for NaN
 }
 
-/// Distances along rays become view depth by the angle between ray and axis. The ray's direction d solves
-/// rowX.d = ndc.x rowW.d, rowY.d = ndc.y rowW.d by Cramer's rule, with rowW.d = 1.
-void fromRays(Image& depth, const Matrix4& m, const std::array<double, 2>& jitterPx,
+ViewRays raysOf(const Matrix4& worldToClip, const std::array<double, 2>& jitterPx, Size size,
+                const std::string& path) {
+  try {
+    if (!isOrthographic(worldToClip)) return viewRays(worldToClip, jitterPx, size);
+  } catch (const Error&) {  // singular
+  }
+  refuse(path, DepthKind::Ray, "a perspective camera", "an orthographic or singular matrix");
+}
+
+/// Distances along rays become view depth by the angle between ray and axis.
+void fromRays(Image& depth, const Matrix4& worldToClip, const std::array<double, 2>& jitterPx,
               const std::string& path) {
-  const Vector3 rowX = {m[0], m[1], m[2]}, rowY = {m[4], m[5], m[6]}, rowW = {m[12], m[13], m[14]};
-  const Vector3 byX = cross(rowY, rowW), byY = cross(rowW, rowX), byW = cross(rowX, rowY);
-  const double determinant = std::abs(dot(rowX, byX));
-  if (!(determinant > 0.0))
-    refuse(path, DepthKind::Ray, "a perspective camera", "an orthographic or singular matrix");
-  const double unit = determinant / length(rowW);  // view depth of a direction times its length
+  const ViewRays rays = raysOf(worldToClip, jitterPx, {depth.width, depth.height}, path);
   for (int y = 0; y < depth.height; ++y) {
     for (int x = 0; x < depth.width; ++x) {
-      const double ndcX = 2.0 * (x + 0.5 + jitterPx[0]) / depth.width - 1.0;
-      const double ndcY = 1.0 - 2.0 * (y + 0.5 + jitterPx[1]) / depth.height;
-      Vector3 ray;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        ray[axis] = ndcX * byX[axis] + ndcY * byY[axis] + byW[axis];
+      const Vector3 ray = rays.at(x, y);
       float& value = depth.at(x, y, 0);
-      value = surfaceDepth(double(value) * unit / length(ray));
+      value = surfaceDepth(double(value) / std::sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]));
     }
   }
 }
 
-/// `value`: 1 at the near plane, 0 at the far one. 1 / depth is linear in it.
-float fromReversed(double value, const DepthRange& range) {
-  if (!(value > 0.0 && value <= 1.0)) return kNoSurfaceDepth;
-  const double atFar = range.far ? 1.0 / *range.far : 0.0;
-  return surfaceDepth(1.0 / (atFar + value * (1.0 / range.near - atFar)));
+/// What is at the far plane or beyond it shows no surface.
+void fromDepthBuffer(Image& depth, DepthKind kind, const DepthRange& range) {
+  const double far = range.far.value_or(std::numeric_limits<double>::infinity());
+  const ReciprocalDepth reciprocal = reciprocalDepth(kind, range.near, far);
+  const double farthest = kind == DepthKind::Reversed ? 0.0 : 1.0;
+  for (float& value : depth.pixels) {
+    const bool inFront = value >= 0.0f && value <= 1.0f && double(value) != farthest;
+    value = inFront ? surfaceDepth(1.0 / (reciprocal.constant + reciprocal.slope * double(value)))
+                    : kNoSurfaceDepth;
+  }
 }
 
 }  // namespace
@@ -95,6 +97,10 @@ DepthKind parseDepthKind(const std::string& text) {
 
 Image viewDepthOf(Image depth, DepthKind kind, const DepthCamera& camera, const std::string& path) {
   if (kind == DepthKind::View) return depth;
+  if (kind == DepthKind::NegativeView) {
+    for (float& value : depth.pixels) value = surfaceDepth(-double(value));
+    return depth;
+  }
   if (kind == DepthKind::Ray) {
     if (!camera.worldToClip) refuse(path, kind, "a camera", "none");
     fromRays(depth, *camera.worldToClip, camera.jitterPx, path);
@@ -103,8 +109,7 @@ Image viewDepthOf(Image depth, DepthKind kind, const DepthCamera& camera, const 
   if (!camera.range) refuse(path, kind, "\"near\" and \"far\" in camera.json", "none");
   if (kind == DepthKind::Hyperbolic && !camera.range->far)
     refuse(path, kind, "\"far\" in camera.json", "\"near\" alone");
-  for (float& value : depth.pixels)
-    value = fromReversed(kind == DepthKind::Hyperbolic ? 1.0 - double(value) : double(value), *camera.range);
+  fromDepthBuffer(depth, kind, *camera.range);
   return depth;
 }
 

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <optional>
-#include <quell/camera.hpp>
+#include <quell/frame.hpp>
 #include <string>
 #include <vector>
 
@@ -11,14 +11,9 @@
 
 namespace quell::io {
 
-enum class DepthKind {
-  View,        ///< along the view axis, scene units, positive in front: what everything here works with
-  Ray,         ///< distance from the camera along the pixel's ray, scene units
-  Hyperbolic,  ///< depth buffer: 0 at the near plane, 1 at the far one
-  Reversed,    ///< depth buffer: 1 at the near plane, 0 at the far one, which may be infinitely far
-};
+using quell::DepthKind;
 
-/// "view", "ray", "hyperbolic" or "reversed", as in --channels depth=NAME:ray.
+/// "view", "negative-view", "ray", "hyperbolic" or "reversed", as in --channels depth=NAME:ray.
 const char* toString(DepthKind kind);
 /// The names of all kinds.
 std::vector<std::string> depthKindNames();

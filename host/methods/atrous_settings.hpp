@@ -11,6 +11,7 @@ struct AtrousSettings {
   EdgeStops stops;
   bool skip;
   Demodulation demodulate;
+  DisplayTransform display;
 };
 
 inline SettingTable<AtrousSettings> atrousSettings() {
@@ -24,10 +25,11 @@ inline SettingTable<AtrousSettings> atrousSettings() {
   table.include(&S::stops, edgeStopSettings());
   addSkip(table, &S::skip);
   addDemodulation(table, &S::demodulate);
+  table.include(&S::display, displaySettings());
   return table;
 }
 
 /// There is no history to discard.
-inline RuntimeSettings runtimeSettings(const AtrousSettings& s) { return {s.demodulate}; }
+inline RuntimeSettings runtimeSettings(const AtrousSettings& s) { return {s.demodulate, {}, s.display}; }
 
 }  // namespace quell

@@ -38,6 +38,7 @@ inline DiscardLimits discardLimits(const DiscardSettings& s) {
 struct AntialiasingSettings {
   bool taa = false;
   double taaNewestWeight = 0.0, taaJitteredWeight = 0.0, taaSilhouetteWeight = 0.0;
+  bool antialiasLinear = false;
   bool jitteredRays = false;
 };
 
@@ -54,11 +55,31 @@ inline SettingTable<AntialiasingSettings> antialiasingSettings() {
             "ours, docs/quell-sweep.md");
   table.add("taaSilhouetteWeight", &S::taaSilhouetteWeight, 0.25, {0.001, 1.0},
             "the same where surfaces clearly apart meet", "ours, docs/quell-sweep.md");
+  table.add("antialiasLinear", &S::antialiasLinear, false,
+            "temporal antialiasing of the linear output as well, as tone maps of one's own need it",
+            "ours: antialiasing works in linear radiance");
   table.add("jitteredRays", &S::jitteredRays, false,
             "primary rays are jittered inside their pixels: the linear output is antialiased over time as "
             "well, and "
             "background takes part",
             "ours: each frame's silhouettes are one sample's");
+  return table;
+}
+
+inline SettingTable<DisplayTransform> displaySettings() {
+  using S = DisplayTransform;
+  SettingTable<S> table;
+  table.add("toneMap", &S::toneMap, ToneMap::Clamp,
+            "how the display output brings radiance into [0, 1]: clamped; Reinhard's curve on luminance; a "
+            "filmic curve "
+            "like that of ACES; none, up to 65504",
+            "Reinhard et al. 2002, equation 3; Narkowicz 2015 (aces)");
+  table.add("displayEncoding", &S::encoding, DisplayEncoding::Gamma,
+            "encoding of the display output after the tone map: gamma 2.2, sRGB, or linear",
+            "Koskela et al. 2019, reference implementation; IEC 61966-2-1 (srgb)");
+  table.add("exposure", &S::exposure, 0.0, {-32.0, 32.0, "stops"},
+            "radiance in the display output is multiplied by 2^exposure before the tone map",
+            "a plain factor");
   return table;
 }
 
@@ -83,6 +104,7 @@ struct CommonSettings {
   Demodulation demodulate;
   DiscardSettings discard;
   AntialiasingSettings antialiasing;
+  DisplayTransform display;
 };
 
 inline SettingTable<CommonSettings> commonSettings() {
@@ -92,13 +114,14 @@ inline SettingTable<CommonSettings> commonSettings() {
   addDemodulation(table, &S::demodulate);
   table.include(&S::discard, discardSettings());
   table.include(&S::antialiasing, antialiasingSettings());
+  table.include(&S::display, displaySettings());
   return table;
 }
 
 /// Of the settings of a method that has these.
 template <class S>
 RuntimeSettings runtimeSettings(const S& settings) {
-  return {settings.common.demodulate, discardLimits(settings.common.discard)};
+  return {settings.common.demodulate, discardLimits(settings.common.discard), settings.common.display};
 }
 
 template <class S>

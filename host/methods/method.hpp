@@ -9,6 +9,7 @@
 
 #include "host/core/schedule.hpp"
 #include "host/methods/setting_table.hpp"
+#include "host/stages/import_image.hpp"
 
 namespace quell {
 
@@ -31,7 +32,9 @@ Method makeMethod(const std::string& name, const std::string& summary, const Set
           summary,
           table.descriptions(),
           [table, makeSchedule](const Configuration& configuration) {
-            return makeSchedule(configuration, table.resolve(configuration.settings));
+            Schedule schedule = makeSchedule(configuration, table.resolve(configuration.settings));
+            addImports(schedule, configuration);
+            return schedule;
           },
           [table](const Settings& settings) { return runtimeSettings(table.resolve(settings)); },
           [table](const std::string& setting, const std::string& text) { table.checkText(setting, text); }};

@@ -27,9 +27,18 @@ void addLightGain(Schedule& table, const Configuration& configuration, const std
   add(table, LightGain(configuration));
 }
 
+namespace {
+
+bool antialiasesLinear(const AntialiasingSettings& antialiasing) {
+  return antialiasing.antialiasLinear || antialiasing.jitteredRays;
+}
+
+}  // namespace
+
 bool antialiases(const Configuration& configuration, const AntialiasingSettings& antialiasing) {
   const Output& output = configuration.output;
-  const bool wanted = output.display.present() || (antialiasing.jitteredRays && output.linear.present());
+  const bool wanted =
+      output.display.present() || (antialiasesLinear(antialiasing) && output.linear.present());
   return wanted && antialiasing.taa;
 }
 
@@ -38,7 +47,7 @@ void addOutputStages(Schedule& table, const Configuration& configuration, const 
                      bool keepLight) {
   const bool taa = antialiases(configuration, antialiasing);
   const bool always = background == BackgroundAntialiasing::Always || antialiasing.jitteredRays;
-  const bool linear = taa && antialiasing.jitteredRays;
+  const bool linear = taa && antialiasesLinear(antialiasing);
   requireFBetaImages(configuration);
   if (skip) add(table, Background(configuration, {taa, always, linear}));
   add(table, Remodulate(configuration, {taa, linear, keepLight, skip}), {{"filtered", filtered}});

@@ -26,16 +26,16 @@ std::optional<double> numberOrNothing(double value) {
 }  // namespace
 
 ErrorFigures compareToReference(const io::Image& image, bool imageIsEncoded, const io::Image& referenceA,
-                                const io::Image& referenceB) {
+                                const io::Image& referenceB, const DisplayTransform& transform) {
   requireComparable(image, referenceA, "compare");
   Comparison comparison;
   if (!imageIsEncoded) comparison.linear = image;
   comparison.shown = displayed(image, imageIsEncoded);
   comparison.referenceLinear = meanOfHalves(referenceA, referenceB);
-  comparison.reference = encodeForDisplay(comparison.referenceLinear);
+  comparison.reference = encodeForDisplay(comparison.referenceLinear, transform);
   if (!referenceB.empty()) {
-    comparison.halfA = encodeForDisplay(referenceA);
-    comparison.halfB = encodeForDisplay(referenceB);
+    comparison.halfA = encodeForDisplay(referenceA, transform);
+    comparison.halfB = encodeForDisplay(referenceB, transform);
   }
   ErrorFigures figures;
   for (const Metric& metric : imageMetrics())

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/core/display_transform.hpp"
 #include "host/metrics/metric_table.hpp"
 
 namespace quell::metrics {
@@ -20,9 +21,10 @@ struct ErrorFigures {
 
 /// Compares `image` (3 channels, linear, or display-encoded if `imageIsEncoded`) with the reference's halves
 /// A and B (3 channels, linear; B may be empty: then A alone is the reference). Encoded images are clamped to
-/// [0, 1]. Throws Error(InvalidArgument) for other channel counts or sizes that differ.
+/// [0, 1]; `transform` is what they were encoded with. Throws Error(InvalidArgument) for other channel counts or sizes
+/// that differ.
 ErrorFigures compareToReference(const io::Image& image, bool imageIsEncoded, const io::Image& referenceA,
-                                const io::Image& referenceB);
+                                const io::Image& referenceB, const DisplayTransform& transform = {});
 
 /// The FLIP map (1 channel, [0, 1]) whose mean is the metric `flip`; same arguments and errors.
 io::Image flipMapToReference(const io::Image& image, bool imageIsEncoded, const io::Image& referenceA,

@@ -1,5 +1,7 @@
-// Compile options of the stages that read light and what it is divided by.
+// Compile options and parameters that several stages have.
 #pragma once
+
+#include <cmath>
 
 #include "host/core/frame_images.hpp"
 
@@ -18,6 +20,18 @@ template <class Options>
 void setSkipOptions(Options& options, const Configuration& configuration, bool skip) {
   options.SKIP = skip ? 1 : 0;
   options.surfaceItems = surfaceItemCount(configuration);
+}
+
+/// Sets TONE_MAP and DISPLAY_ENCODING.
+template <class Options>
+void setDisplayOptions(Options& options, const Configuration& configuration) {
+  options.TONE_MAP = static_cast<int>(configuration.runtime.display.toneMap);
+  options.DISPLAY_ENCODING = static_cast<int>(configuration.runtime.display.encoding);
+}
+
+/// Factor of radiance in the display image.
+inline float exposureFactor(const Configuration& configuration) {
+  return static_cast<float>(std::exp2(configuration.runtime.display.exposure));
 }
 
 }  // namespace quell

@@ -12,6 +12,7 @@ TemporalAntialiasing::TemporalAntialiasing(const Configuration& configuration, c
     : m_newestWeight(setup.newestWeight), m_silhouetteWeight(setup.silhouetteWeight) {
   QUELL_SIGNALS = signalCount(configuration.frame);
   setSkipOptions<TemporalAntialiasingOptions>(*this, configuration, setup.skip);
+  setDisplayOptions<TemporalAntialiasingOptions>(*this, configuration);
   ANTIALIAS_LINEAR = setup.antialiasLinear ? 1 : 0;
 }
 
@@ -23,6 +24,7 @@ TemporalAntialiasingParams TemporalAntialiasing::params(const FrameRun& run) con
   TemporalAntialiasingParams params{};
   params.planes = makePlanes(run.frame.size);
   params.outputs = makeImageParams(run.output, run.frame.size);
+  params.exposure = exposureFactor(run.configuration);
   params.newestWeight = static_cast<float>(m_newestWeight);
   params.silhouetteWeight = static_cast<float>(m_silhouetteWeight);
   params.backgroundDepth = run.reprojection.viewDepth.w;

@@ -17,8 +17,10 @@ constexpr double kMaxJitterPx = 1.0;
 /// x right, y up, both in [-1, 1] over the image; clip.w grows with the distance in front of the camera
 /// (perspective) or is constant (orthographic). Row 2 (clip.z) is not used.
 struct Camera {
-  Matrix4 worldToClip{};      ///< this frame
-  Matrix4 worldToClipPrev{};  ///< the frame before; any value on the first frame after a history reset
+  Matrix4 worldToClip{};  ///< this frame
+  /// The frame before; any value on the first frame after a history reset. All zero: the worldToClip of the frame that was
+  /// denoised before, which the denoiser remembers.
+  Matrix4 worldToClipPrev{};
 
   /// Where inside the pixel the primary rays of this frame went: sample position minus pixel centre, in
   /// pixels, x right, y down, each within kMaxJitterPx. Zero means the pixel centre. History lives on pixel
@@ -29,5 +31,24 @@ struct Camera {
 
 /// Whether the primary rays of this frame left the centres of their pixels.
 inline bool isJittered(const Camera& camera) { return camera.jitterPx != std::array<double, 2>{0.0, 0.0}; }
+
+/// How a matrix lies in memory.
+enum class MatrixOrder {
+  Rows,  ///< row by row, for column vectors: as Matrix4; also column by column for row vectors
+  Columns,  ///< column by column, for column vectors (GLM, OpenGL); also row by row for row vectors (DirectXMath)
+};
+
+/// The 16 numbers of a matrix in this order.
+Matrix4 toMatrix4(const float* numbers, MatrixOrder order);
+Matrix4 toMatrix4(const double* numbers, MatrixOrder order);
+
+/// world to clip = (view to clip) * (world to view).
+Matrix4 product(const Matrix4& viewToClip, const Matrix4& worldToView);
+
+/// World to clip of a pinhole camera; clip.w is the view depth. `up` points up in the picture, any length;
+/// `verticalFovDegrees` in (0, 180); `aspect`: width by height. Throws Error(InvalidArgument) where eye and target are one
+/// point, `up` lies along the line between them, or a number is out of range.
+Matrix4 lookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
+               const std::array<double, 3>& up, double verticalFovDegrees, double aspect);
 
 }  // namespace quell

@@ -87,6 +87,23 @@ struct MemoryUse {
   std::vector<Buffer> buffers;
 };
 
+/// Whether a method reads an image, with given settings.
+enum class InputUse {
+  Unused,
+  Optional,  ///< what counts without it says frame_images.h
+  Required,
+};
+
+struct InputNeed {
+  std::string image;  ///< the member of Frame
+  InputUse use = InputUse::Unused;
+  std::string
+      without;  ///< what counts without it; of positionWorld and viewDepth, of which one is required, the other
+};
+
+/// What a method with these settings reads, in the order of frame_images.h, taken from its stages. Needs no device.
+std::vector<InputNeed> inputNeeds(const Settings& settings);
+
 /// An intermediate buffer as the latest frame has left it: where a stage leaves out background or has no history, that
 /// may be older values. Bytes, halves and integers are converted to floats; integers beyond 2^24 are rounded.
 struct BufferContent {
@@ -132,7 +149,7 @@ class Denoiser {
 
   /// Builds every kernel for the layouts of these images, allocates all memory and launches every kernel once
   /// at its final work-group size, so that no frame pays for it. Blocks. The images' memory may be null here:
-  /// only layouts count. May be called again with another size or layout; the history is reset. If it throws,
+  /// only layouts count; of image objects that are given the formats are checked. May be called again with another size or layout; the history is reset. If it throws,
   /// the denoiser is as if never prepared.
   void prepare(const Frame& frame, const Output& output);
 
@@ -168,6 +185,9 @@ class Denoiser {
 
   /// Device memory held since prepare(). It does not include the caller's images.
   MemoryUse memoryUse() const;
+  /// What prepare() would allocate for these layouts; allocates and builds nothing. Throws as prepare() does for unusable
+  /// layouts.
+  MemoryUse memoryNeeded(const Frame& frame, const Output& output) const;
 
   /// Times of all frames that have finished so far; never waits for more. Empty if timers are off.
   Timings timings();

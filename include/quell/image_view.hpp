@@ -19,34 +19,58 @@ inline bool operator!=(Size a, Size b) { return !(a == b); }
 
 enum class ComponentFormat : std::uint8_t {
   Float32,
-  Float16,  ///< IEEE half
-  UInt32,   ///< 32-bit unsigned integers, for object ids only
+  Float16,      ///< IEEE half
+  UInt32,       ///< 32-bit unsigned integers, for object ids only
+  ImageObject,  ///< `memory` is an OpenCL image of two dimensions, not a buffer
 };
 
-/// One image within a buffer that the caller owns. Row-major, pixel (0, 0) is top left. Packed float3,
-/// float4, planar single components and interleaved structs are all described by the strides. Only the stated
+/// What a pixel of an input holds where a renderer adds up samples.
+enum class Sum : std::uint8_t {
+  None,           ///< its value
+  CountInFourth,  ///< the sum of the values, and their number in the fourth component; no sample, no value (NaN)
+  OverSampleCount,  ///< the sum of Frame::sampleCount values
+};
+
+/// One image that the caller owns, in a buffer or as an OpenCL image object. Row-major, pixel (0, 0) is top left. Packed
+/// float3, float4, planar single components and interleaved structs are all described by the strides. Only the stated
 /// components are read or written. A view without `channels` stands for an absent optional image.
+///
+/// Image objects hold floats, halves or normalised 8- or 16-bit integers, which OpenCL converts; they may be larger than
+/// the frame, which is read from and written to their corner at (0, 0). Inputs are copied into buffers first, outputs
+/// written directly; images shared with another API have to be acquired by the caller.
 struct ImageView {
-  cl_mem memory = nullptr;  ///< buffer object on the denoiser's context; not retained
+  cl_mem memory = nullptr;  ///< buffer or image object on the denoiser's context; not retained
   ComponentFormat format = ComponentFormat::Float32;
-  int channels = 0;                  ///< components used per pixel, 1 to 4; 0: absent
-  std::size_t offsetBytes = 0;       ///< of pixel (0, 0); a multiple of the component size
-  std::size_t pixelStrideBytes = 0;  ///< from one pixel to the next; 0: packed
-  std::size_t rowPitchBytes = 0;     ///< from one row to the next; 0: width times the pixel stride
+  Sum sum = Sum::None;          ///< inputs only, but object ids
+  int channels = 0;             ///< components used per pixel, 1 to 4; 0: absent
+  std::size_t offsetBytes = 0;  ///< of pixel (0, 0); a multiple of the component size; 0 for image objects
+  /// From one pixel to the next; 0: packed. Of image objects, which know it themselves, 0.
+  std::size_t pixelStrideBytes = 0;
+  /// From one row to the next below it; 0: width times the pixel stride. Negative: rows lie bottom-up, so that pixel
+  /// (0, 0) begins the last row of the memory; bottomUp() sets both. Of image objects 0, or negative for bottom-up.
+  std::ptrdiff_t rowPitchBytes = 0;
 
   bool present() const { return channels != 0; }
+  bool isImageObject() const { return format == ComponentFormat::ImageObject; }
   std::size_t componentBytes() const { return format == ComponentFormat::Float16 ? 2 : 4; }
   std::size_t pixelStride() const {
     return pixelStrideBytes != 0 ? pixelStrideBytes : componentBytes() * static_cast<std::size_t>(channels);
   }
-  std::size_t rowPitch(int width) const {
-    return rowPitchBytes != 0 ? rowPitchBytes : pixelStride() * static_cast<std::size_t>(width);
+  std::ptrdiff_t rowPitch(int width) const {
+    return rowPitchBytes != 0 ? rowPitchBytes
+                              : static_cast<std::ptrdiff_t>(pixelStride() * static_cast<std::size_t>(width));
+  }
+  /// Bytes from the first of a row to the last.
+  std::size_t rowBytes(int width) const {
+    return static_cast<std::size_t>(width - 1) * pixelStride() +
+           componentBytes() * static_cast<std::size_t>(channels);
   }
   /// Bytes that the buffer must hold for an image of this size.
   std::size_t requiredBytes(Size size) const {
-    return offsetBytes + static_cast<std::size_t>(size.height - 1) * rowPitch(size.width) +
-           static_cast<std::size_t>(size.width - 1) * pixelStride() +
-           componentBytes() * static_cast<std::size_t>(channels);
+    const std::size_t last = rowPitch(size.width) > 0 ? static_cast<std::size_t>(size.height - 1) *
+                                                            static_cast<std::size_t>(rowPitch(size.width))
+                                                      : 0;
+    return offsetBytes + last + rowBytes(size.width);
   }
 };
 
@@ -57,6 +81,30 @@ inline ImageView packedImage(cl_mem memory, int channels, ComponentFormat format
   view.memory = memory;
   view.channels = channels;
   view.format = format;
+  return view;
+}
+
+/// An OpenCL image object, of which `channels` components count. `memory` may be null as above.
+inline ImageView imageObject(cl_mem memory, int channels) {
+  return packedImage(memory, channels, ComponentFormat::ImageObject);
+}
+
+/// The same memory with its rows bottom-up, as OpenGL has them: `view` says where the memory's first row is, which now is
+/// the lowest of the picture.
+inline ImageView bottomUp(ImageView view, Size size) {
+  if (view.isImageObject()) {
+    view.rowPitchBytes = -1;
+    return view;
+  }
+  const std::ptrdiff_t pitch = view.rowPitch(size.width);
+  view.offsetBytes += static_cast<std::size_t>(size.height - 1) * static_cast<std::size_t>(pitch);
+  view.rowPitchBytes = -pitch;
+  return view;
+}
+
+/// A view whose pixels are sums; see Sum.
+inline ImageView summed(ImageView view, Sum sum = Sum::CountInFourth) {
+  view.sum = sum;
   return view;
 }
 

@@ -155,6 +155,19 @@ quell_status quellUsePreset(quell_settings* settings, const char* preset);
 /* The value as quellSetSetting takes it; the text lives until the next call for the same object. */
 quell_status quellGetSetting(quell_settings* settings, const char* name, const char** value);
 quell_status quellGetSettingNumber(const quell_settings* settings, const char* name, double* value);
+typedef int32_t quell_input_use;
+enum { QUELL_UNUSED = 0, QUELL_OPTIONAL = 1, QUELL_REQUIRED = 2 };
+
+typedef struct quell_input_need {
+  size_t structSize;
+  const char* image; /* member of quell_frame */
+  quell_input_use use;
+  const char* without; /* what counts without it */
+} quell_input_need;
+
+/* Which images a method reads with these settings, from 0 on in the order of frame_images.h; needs no device. Texts live
+ * until the next call for the same settings. QUELL_INVALID_ARGUMENT for an index behind the last image. */
+quell_status quellGetInputNeed(quell_settings* settings, size_t index, quell_input_need* need);
 /* The text lives as long as the settings. */
 quell_status quellGetSettingsMethod(const quell_settings* settings, const char** method);
 
@@ -164,28 +177,68 @@ typedef int32_t quell_component_format;
 enum {
   QUELL_FLOAT32 = 0,
   QUELL_FLOAT16 = 1, /* IEEE half */
-  QUELL_UINT32 = 2   /* 32-bit unsigned integers, for object ids only */
+  QUELL_UINT32 = 2,  /* 32-bit unsigned integers, for object ids only */
+  QUELL_IMAGE_OBJECT =
+      3 /* `memory` is an OpenCL image of two dimensions, of floats, halves or normalised integers */
 };
 
-/* One image within a buffer that the caller owns, row-major, pixel (0, 0) top left; float3, float4, planes and
- * interleaved structs are all described by the strides. This struct does not grow. */
+/* What a pixel of an input holds where a renderer adds up samples. */
+typedef int32_t quell_sum;
+enum {
+  QUELL_NO_SUM = 0,           /* its value */
+  QUELL_COUNT_IN_FOURTH = 1,  /* the sum of the values, and their number in the fourth component */
+  QUELL_OVER_SAMPLE_COUNT = 2 /* the sum of quell_frame.sampleCount values */
+};
+
+/* One image that the caller owns, in a buffer or as an OpenCL image object, row-major, pixel (0, 0) top left; float3,
+ * float4, planes and interleaved structs are all described by the strides, which of image objects are 0 (see
+ * quell/image_view.hpp). This struct does not grow. */
 typedef struct quell_image_view {
-  cl_mem memory; /* a buffer of the denoiser's context; not retained */
+  cl_mem memory; /* of the denoiser's context; not retained */
   quell_component_format format;
   int channels;            /* components used per pixel, 1 to 4; 0: absent */
   size_t offsetBytes;      /* of pixel (0, 0); a multiple of the component size */
   size_t pixelStrideBytes; /* from one pixel to the next; 0: packed */
-  size_t rowPitchBytes;    /* from one row to the next; 0: width times the pixel stride */
+  ptrdiff_t
+      rowPitchBytes; /* from one row to the next below it; 0: width times the pixel stride; negative: bottom-up */
+  quell_sum sum;     /* inputs only */
 } quell_image_view;
 
 /* This frame's camera and that of the frame before. 4x4 matrices from world to clip space, row-major, for column
- * vectors, unjittered; NDC x right, y up. The previous one may be anything on the first frame after a reset. Jitter
- * of this frame: sample position minus pixel centre, pixels, x right, y down, in [-1, 1]. This struct does not grow. */
+ * vectors, unjittered; NDC x right, y up. The previous one may be anything on the first frame after a reset; all zero: that
+ * of the frame before, which the denoiser remembers. Jitter of this frame: sample position minus pixel centre, pixels, x right, y down, in [-1, 1]. This struct does not grow. */
 typedef struct quell_camera {
   double worldToClip[16];
   double worldToClipPrev[16];
   double jitterPx[2];
 } quell_camera;
+
+/* How a matrix lies in memory. */
+typedef int32_t quell_matrix_order;
+enum {
+  QUELL_ROWS = 0, /* row by row, for column vectors: as quell_camera; also column by column for row vectors */
+  QUELL_COLUMNS =
+      1 /* column by column, for column vectors (GLM); also row by row for row vectors (DirectXMath) */
+};
+
+/* Sets `worldToClip` to the product of two matrices of 16 floats; `worldToView` NULL: viewToClip is the product already. */
+quell_status quellSetMatrices(quell_camera* camera, const float* viewToClip, const float* worldToView,
+                              quell_matrix_order order);
+/* Sets `worldToClip` to that of a pinhole camera. `up` points up in the picture; the field of view is in (0, 180) degrees;
+ * aspect: width by height. */
+quell_status quellSetLookAt(quell_camera* camera, const double eye[3], const double target[3],
+                            const double up[3], double verticalFovDegrees, double aspect);
+
+/* What the numbers of quell_frame.viewDepth mean. */
+typedef int32_t quell_depth_kind;
+enum {
+  QUELL_DEPTH_VIEW = 0,          /* along the view axis, scene units, positive in front */
+  QUELL_DEPTH_NEGATIVE_VIEW = 1, /* the same with the sign of a view space whose axis points back */
+  QUELL_DEPTH_RAY = 2,           /* distance from the camera along the pixel's ray */
+  QUELL_DEPTH_HYPERBOLIC = 3,    /* depth buffer: 0 at the near plane, 1 at the far one */
+  QUELL_DEPTH_REVERSED =
+      4 /* depth buffer: 1 at the near plane, 0 at the far one, which may be infinitely far */
+};
 
 /* Inputs of one frame, read until the event of quellDenoise has completed. What the images hold (units, ranges, NaN)
  * is said in frame_images.h. */
@@ -196,6 +249,13 @@ typedef struct quell_frame {
   int height;
   quell_camera camera;
   int demodulated; /* 1: light is divided by albedo and gloss colour already */
+  quell_depth_kind depthKind;
+  double
+      depthNear; /* planes of depth buffers, scene units; far 0: infinitely far, of QUELL_DEPTH_REVERSED only */
+  double depthFar;
+  double
+      motionScale[2]; /* motion times this is in pixels, x right, y down, previous minus current; both 0: 1 */
+  double sampleCount; /* of images with QUELL_OVER_SAMPLE_COUNT; 0: 1 */
   QUELL_FRAME_IMAGES(QUELL_VIEW)
 } quell_frame;
 
@@ -213,6 +273,26 @@ static inline quell_image_view quellPackedImage(cl_mem memory, int channels, que
   view.memory = memory;
   view.format = format;
   view.channels = channels;
+  return view;
+}
+
+/* An OpenCL image object, of which `channels` components count. */
+static inline quell_image_view quellImageObject(cl_mem memory, int channels) {
+  return quellPackedImage(memory, channels, QUELL_IMAGE_OBJECT);
+}
+
+/* The same memory with its rows bottom-up, as OpenGL has them; the view says where the memory's first row is. */
+static inline quell_image_view quellBottomUp(quell_image_view view, int width, int height) {
+  const size_t component = view.format == QUELL_FLOAT16 ? 2 : 4;
+  const size_t stride =
+      view.pixelStrideBytes != 0 ? view.pixelStrideBytes : component * (size_t)view.channels;
+  const ptrdiff_t pitch = view.rowPitchBytes != 0 ? view.rowPitchBytes : (ptrdiff_t)(stride * (size_t)width);
+  if (view.format == QUELL_IMAGE_OBJECT) {
+    view.rowPitchBytes = -1;
+  } else {
+    view.offsetBytes += (size_t)(height - 1) * (size_t)pitch;
+    view.rowPitchBytes = -pitch;
+  }
   return view;
 }
 
@@ -384,6 +464,10 @@ typedef struct quell_stage_timings {
   uint64_t bytesMoved;  /* that the stage must read and write per frame, each counted once */
 } quell_stage_timings;
 
+/* What quellPrepare would allocate for these layouts; quellGetBufferUse then gives the parts. Allocates and builds
+ * nothing. */
+quell_status quellGetMemoryNeeded(quell_denoiser* denoiser, const quell_frame* frame,
+                                  const quell_output* output, quell_memory_use* use);
 /* Takes stock; quellGetBufferUse then gives the parts, from 0 to bufferCount - 1. */
 quell_status quellGetMemoryUse(quell_denoiser* denoiser, quell_memory_use* use);
 quell_status quellGetBufferUse(const quell_denoiser* denoiser, size_t index, quell_buffer_use* use);

@@ -1,13 +1,20 @@
-// Display encoding: clamp to [0, 1] and gamma 2.2, as the reference implementation of Koskela et al. 2019 tone maps.
+// From radiance to the display image: exposure, tone map (TONE_MAP) and encoding (DISPLAY_ENCODING, see
+// common/display_modes.h).
 //
-// x^(1/2.2) = 2^(log2(x) / 2.2), both from short series: a library pow costs more than the rest of the stage on CPUs.
-// Largest absolute error of encodeDisplay over [0, 1]: kEncodingTolerance in tests/oracle/display_encoding_oracle.hpp, a
-// 1000th of a step of 8 bits.
+// Tone maps: clamp to [0, 1], as the reference implementation of Koskela et al. 2019 does; Reinhard et al. 2002, equation 3,
+// on luminance; the curve that Narkowicz 2015 fitted to ACES, per channel; none, up to QUELL_MAX_RADIANCE.
+// Encodings: gamma 2.2, as in that reference implementation; sRGB (IEC 61966-2-1); linear, as it is.
+//
+// Powers x^p = 2^(p log2(x)) are made of two short series: a library pow costs more than the rest of the stage on CPUs.
+// Largest errors: kEncodingTolerance in tests/oracle/display_encoding_oracle.hpp, a 1000th of a step of 8 bits.
 #ifndef QUELL_COMMON_DISPLAY_ENCODING_H
 #define QUELL_COMMON_DISPLAY_ENCODING_H
 
+#include "common/display_modes.h"
 #include "common/exponential.h"
 #include "common/lanes.h"
+#include "common/luminance.h"
+#include "common/types.h"
 
 #define QUELL_DISPLAY_GAMMA 2.2f
 
@@ -34,18 +41,61 @@ QUELL_INLINE floatL exp2Lanes(floatL v) {
 
 // Values below this encode to 0 (2^-100): it keeps the logarithm off zero and denormals.
 #define QUELL_DISPLAY_LEAST 7.8886090522101181e-31f
+// What a tone map leaves.
+#if TONE_MAP == QUELL_TONE_MAP_NONE
+#define QUELL_DISPLAY_MOST QUELL_MAX_RADIANCE
+#else
+#define QUELL_DISPLAY_MOST 1.0f
+#endif
 
-QUELL_INLINE floatL encodeDisplay(floatL linear) {
-  const floatL v = clampLanes(linear, QUELL_DISPLAY_LEAST, 1.0f);
-  const floatL encoded = exp2Lanes(log2Lanes(v) * (1.0f / QUELL_DISPLAY_GAMMA));
-  return v > QUELL_DISPLAY_LEAST ? encoded : ZERO_LANES;
+QUELL_INLINE floatL power(floatL v, float exponent) {
+  const floatL raised = exp2Lanes(log2Lanes(v) * exponent);
+  return v > QUELL_DISPLAY_LEAST ? raised : ZERO_LANES;
 }
 
-QUELL_INLINE float3L encodeDisplay3(float3L linear) {
-  linear.x = encodeDisplay(linear.x);
-  linear.y = encodeDisplay(linear.y);
-  linear.z = encodeDisplay(linear.z);
-  return linear;
+QUELL_INLINE floatL encodeGamma(floatL v) { return power(v, 1.0f / QUELL_DISPLAY_GAMMA); }
+
+QUELL_INLINE floatL encodeSrgb(floatL v) {
+  return v <= 0.0031308f ? 12.92f * v : 1.055f * power(v, 1.0f / 2.4f) - 0.055f;
+}
+
+// Narkowicz 2015. Passes 1 at about 7; clamped afterwards.
+QUELL_INLINE floatL acesCurve(floatL v) {
+  return (v * (2.51f * v + 0.03f)) / (v * (2.43f * v + 0.59f) + 0.14f);
+}
+
+// Of radiance times exposure. What a ratio is made of stays finite, and so do its squares.
+QUELL_INLINE float3L toneMap(float3L exposed) {
+#if TONE_MAP == QUELL_TONE_MAP_REINHARD
+  exposed = clamp3(exposed, 0.0f, QUELL_MAX_RADIANCE);
+  return scale3(exposed, 1.0f / (1.0f + luminance(exposed)));
+#elif TONE_MAP == QUELL_TONE_MAP_ACES
+  exposed = clamp3(exposed, 0.0f, QUELL_MAX_RADIANCE);
+  exposed.x = acesCurve(exposed.x);
+  exposed.y = acesCurve(exposed.y);
+  exposed.z = acesCurve(exposed.z);
+#endif
+  return exposed;
+}
+
+QUELL_INLINE floatL encodeChannel(floatL mapped) {
+  const floatL v = clampLanes(mapped, QUELL_DISPLAY_LEAST, QUELL_DISPLAY_MOST);
+#if DISPLAY_ENCODING == QUELL_ENCODING_SRGB
+  return encodeSrgb(v);
+#elif DISPLAY_ENCODING == QUELL_ENCODING_LINEAR
+  return v > QUELL_DISPLAY_LEAST ? v : ZERO_LANES;
+#else
+  return encodeGamma(v);
+#endif
+}
+
+// `exposure`: factor of radiance.
+QUELL_INLINE float3L encodeDisplay(float3L radiance, float exposure) {
+  float3L shown = toneMap(scale3(radiance, (floatL)(exposure)));
+  shown.x = encodeChannel(shown.x);
+  shown.y = encodeChannel(shown.y);
+  shown.z = encodeChannel(shown.z);
+  return shown;
 }
 
 #endif

@@ -1,7 +1,8 @@
 // The caller's images: loads and stores of QUELL_LANES neighbouring pixels in any layout of the buffer contract.
 //
-// A kernel that touches the image NAME is compiled with NAME_FORMAT (0 absent, 1 float, 2 half, 3 32-bit unsigned),
-// NAME_CHANNELS (1-4) and NAME_STRIDE (components from one pixel to the next). Packed layouts take vector loads;
+// A kernel that touches the image NAME is compiled with NAME_FORMAT (0 absent, 1 float, 2 half, 3 32-bit unsigned, 4 an
+// OpenCL image object, outputs only: see import_image.cl), NAME_CHANNELS (1-4) and NAME_STRIDE (components from one pixel to
+// the next). The pitch of rows that lie bottom-up is negative. Packed layouts take vector loads;
 // anything else, and the end of a row, is read component by component.
 #ifndef QUELL_COMMON_IMAGE_ACCESS_H
 #define QUELL_COMMON_IMAGE_ACCESS_H
@@ -9,6 +10,11 @@
 #include "common/lanes.h"
 #include "common/packed_pixels.h"
 #include "common/types.h"
+
+// The first component of a pixel. A negative pitch wraps around and back.
+QUELL_INLINE size_t pixelComponent(ImageViewParams view, int x, int y, int stride) {
+  return (size_t)view.offset + (size_t)y * (size_t)view.rowPitch + (size_t)x * (size_t)stride;
+}
 
 // One component of `lanes` pixels; the other lanes are 0.
 QUELL_INLINE floatL loadStrided(__global const void* data, size_t component, int format, int stride,
@@ -27,7 +33,7 @@ QUELL_INLINE floatL loadStrided(__global const void* data, size_t component, int
 // third is 0. Lanes from `lanes` on are 0.
 QUELL_INLINE float3L loadPixels(__global const void* data, ImageViewParams view, int x, int y, int lanes,
                                 int format, int channels, int stride) {
-  const size_t first = (size_t)view.offset + (size_t)y * (size_t)view.rowPitch + (size_t)x * (size_t)stride;
+  const size_t first = pixelComponent(view, x, y, stride);
 #if QUELL_LANES > 1
   if (lanes == QUELL_LANES) {
     if (channels == 2 && stride == 2) return loadPacked2(data, first, format);
@@ -80,7 +86,7 @@ QUELL_INLINE float3L gatherPixels(__global const void* data, ImageViewParams vie
 // The bits of the one component of `lanes` pixels, from whichever format; lanes from `lanes` on are 0.
 QUELL_INLINE intL loadWords(__global const void* data, ImageViewParams view, int x, int y, int lanes,
                             int format, int stride) {
-  const size_t first = (size_t)view.offset + (size_t)y * (size_t)view.rowPitch + (size_t)x * (size_t)stride;
+  const size_t first = pixelComponent(view, x, y, stride);
   __global const int* words = (__global const int*)data;
   __global const ushort* halves = (__global const ushort*)data;
 #if QUELL_LANES == 1
@@ -103,7 +109,7 @@ QUELL_INLINE intL loadWords(__global const void* data, ImageViewParams view, int
 // clamped to the largest finite half by the caller.
 QUELL_INLINE void storePixels(float3L value, __global void* data, ImageViewParams view, int x, int y,
                               int lanes, int format, int channels, int stride) {
-  const size_t first = (size_t)view.offset + (size_t)y * (size_t)view.rowPitch + (size_t)x * (size_t)stride;
+  const size_t first = pixelComponent(view, x, y, stride);
 #if QUELL_LANES > 1
   if (lanes == QUELL_LANES && channels == 3 && stride == 3) {
     storePacked3(value, data, first, format);
@@ -128,6 +134,43 @@ QUELL_INLINE void storePixels(float3L value, __global void* data, ImageViewParam
   if (channels >= 4) storeComponent(1.0f, data, first + 3, format);
 #endif
 }
+
+// What an output is as an argument, and how it is stored. Stages that have no such output are compiled without its format.
+#if defined(LINEAR_FORMAT) && LINEAR_FORMAT == QUELL_FORMAT_OBJECT
+#define QUELL_STORES_TEXELS
+#define LINEAR_ARGUMENT __write_only image2d_t
+#define STORE_LINEAR(value, data, view, x, y, lanes) storeTexels((value), (data), (view), (x), (y), (lanes))
+#else
+#define LINEAR_ARGUMENT __global uchar*
+#define STORE_LINEAR(value, data, view, x, y, lanes) STORE_PIXELS(LINEAR, value, data, view, x, y, lanes)
+#endif
+#if defined(DISPLAY_FORMAT) && DISPLAY_FORMAT == QUELL_FORMAT_OBJECT
+#define QUELL_STORES_TEXELS
+#define DISPLAY_ARGUMENT __write_only image2d_t
+#define STORE_DISPLAY(value, data, view, x, y, lanes) storeTexels((value), (data), (view), (x), (y), (lanes))
+#else
+#define DISPLAY_ARGUMENT __global uchar*
+#define STORE_DISPLAY(value, data, view, x, y, lanes) STORE_PIXELS(DISPLAY, value, data, view, x, y, lanes)
+#endif
+
+#ifdef QUELL_STORES_TEXELS
+// storePixels() for an OpenCL image object: rows follow each other by view.rowPitch, 1 or -1, from view.offset on.
+QUELL_INLINE void storeTexels(float3L value, __write_only image2d_t image, ImageViewParams view, int x, int y,
+                              int lanes) {
+  const int row = view.offset + y * view.rowPitch;
+#if QUELL_LANES > 1
+  float components[3][QUELL_LANES];
+  STORE_VECTOR(value.x, components[0]);
+  STORE_VECTOR(value.y, components[1]);
+  STORE_VECTOR(value.z, components[2]);
+  for (int lane = 0; lane < lanes; ++lane)
+    write_imagef(image, (int2)(x + lane, row),
+                 (float4)(components[0][lane], components[1][lane], components[2][lane], 1.0f));
+#else
+  write_imagef(image, (int2)(x, row), (float4)(value.x, value.y, value.z, 1.0f));
+#endif
+}
+#endif
 
 // Spares a kernel from naming the compile options one by one.
 #define LOAD_PIXELS(NAME, data, view, x, y, lanes) \

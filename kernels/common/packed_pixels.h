@@ -7,6 +7,7 @@
 #define QUELL_FORMAT_FLOAT 1
 #define QUELL_FORMAT_HALF 2
 #define QUELL_FORMAT_UINT 3
+#define QUELL_FORMAT_OBJECT 4
 
 QUELL_INLINE float loadComponent(__global const void* data, size_t component, int format) {
   return format == QUELL_FORMAT_HALF ? vload_half(component, (__global const half*)data)

@@ -41,7 +41,7 @@
 #define QUELL_PORT_ARGUMENT(name, access, element, extent, touched, when) \
   QUELL_POINTER_##access(QUELL_TYPE_##element) name,
 #define QUELL_IMAGE_ARGUMENT(name, NAME, share, when) __global const uchar *name##Data,
-#define QUELL_OUTPUT_ARGUMENT(name, NAME, share, when) __global uchar *name##Data,
+#define QUELL_OUTPUT_ARGUMENT(name, NAME, share, when) NAME##_ARGUMENT name##Data,
 
 // The arguments of a stage's kernel, in front of its parameters.
 #define STAGE_ARGUMENTS(STEM) STEM##_PORTS(QUELL_PORT_ARGUMENT, QUELL_IMAGE_ARGUMENT, QUELL_OUTPUT_ARGUMENT)

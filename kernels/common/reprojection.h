@@ -84,7 +84,8 @@ QUELL_INLINE intL reproject(ReprojectionParams params, float3L position, intL is
 QUELL_INLINE intL followMotion(ReprojectionParams params, floatL x, floatL y, float3L motion, int width,
                                int height, floatL* xPrev, floatL* yPrev) {
   const intL usable = isFinite(motion.x) && isFinite(motion.y) && params.historyValid != 0;
-  return placeInFrame(usable, x + motion.x, y + motion.y, width, height, xPrev, yPrev);
+  return placeInFrame(usable, x + motion.x * params.motionScaleX, y + motion.y * params.motionScaleY, width,
+                      height, xPrev, yPrev);
 }
 
 // Bilinear taps at pixel index (x, y), which must lie in [-1, width) x [-1, height).

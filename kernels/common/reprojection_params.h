@@ -32,7 +32,9 @@ typedef struct ReprojectionParams {
   QuellFloat positionLimit;  // largest accepted distance, scene units, added to the one in footprints
   QuellFloat positionLimitFootprint;  // largest accepted distance per clip.w, scene units
   QuellFloat normalLimitSquared;      // largest accepted squared difference of unit normals
-  QuellInt historyValid;              // 0: no frame before this one
+  QuellFloat motionScaleX;            // motion vectors times this are in pixels
+  QuellFloat motionScaleY;
+  QuellInt historyValid;  // 0: no frame before this one
 } ReprojectionParams;
 
 QUELL_NAMESPACE_END

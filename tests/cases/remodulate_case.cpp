@@ -9,12 +9,15 @@ namespace quell::tests {
 namespace {
 
 StageSetup makeRemodulateSetup(const CaseOptions& options, const MaterialVariant& variant, RemodulateTo to,
-                               LightLoss loss) {
+                               LightLoss loss, const DisplayTransform& transform) {
   StageSetup setup = makeSetup(options);
   if (loss == LightLoss::GivenBack) setup.settings = Settings("quell");
   setMaterialViews(setup, variant, options.layout);
   setup.output.linear = makeView(options.layout, options.size);
   setup.output.display = makeView(options.layout, options.size);
+  setup.settings.set("toneMap", double(transform.toneMap));
+  setup.settings.set("displayEncoding", double(transform.encoding));
+  setup.settings.set("exposure", transform.exposure);
   setup.settings.set("taa", to == RemodulateTo::Outputs ? "off" : "on");
   setup.settings.set("jitteredRays", to == RemodulateTo::AntialiasingOnly ? "on" : "off");
   return setup;
@@ -23,8 +26,8 @@ StageSetup makeRemodulateSetup(const CaseOptions& options, const MaterialVariant
 }  // namespace
 
 RemodulateCase::RemodulateCase(const CaseOptions& options, const MaterialVariant& variant, RemodulateTo to,
-                               LightLoss loss)
-    : StageCase("remodulate", makeRemodulateSetup(options, variant, to, loss)),
+                               LightLoss loss, const DisplayTransform& transform)
+    : StageCase("remodulate", makeRemodulateSetup(options, variant, to, loss, transform)),
       m_to(to),
       m_layout(options.layout) {
   inputs.material = randomMaterial(variant, options.size, options.seed);

@@ -24,7 +24,8 @@ class RemodulateCase : public StageCase {
  public:
   /// The caller's inputs and outputs are in options.layout.
   explicit RemodulateCase(const CaseOptions& options, const MaterialVariant& variant = kFullMaterial,
-                          RemodulateTo to = RemodulateTo::Antialiasing, LightLoss loss = LightLoss::Left);
+                          RemodulateTo to = RemodulateTo::Antialiasing, LightLoss loss = LightLoss::Left,
+                          const DisplayTransform& transform = {});
 
   RemodulateInputs inputs;
 

@@ -19,6 +19,7 @@ using DenoiserHandle = std::unique_ptr<quell_denoiser, DestroyDenoiser>;
 
 inline quell_component_format toC(ComponentFormat format) {
   if (format == ComponentFormat::UInt32) return QUELL_UINT32;
+  if (format == ComponentFormat::ImageObject) return QUELL_IMAGE_OBJECT;
   return format == ComponentFormat::Float32 ? QUELL_FLOAT32 : QUELL_FLOAT16;
 }
 
@@ -27,6 +28,7 @@ inline quell_image_view toC(const ImageView& view) {
   result.offsetBytes = view.offsetBytes;
   result.pixelStrideBytes = view.pixelStrideBytes;
   result.rowPitchBytes = view.rowPitchBytes;
+  result.sum = static_cast<quell_sum>(view.sum);
   return result;
 }
 
@@ -38,6 +40,13 @@ inline quell_frame toC(const Frame& frame) {
   std::memcpy(result.camera.worldToClip, frame.camera.worldToClip.data(), sizeof(Matrix4));
   std::memcpy(result.camera.worldToClipPrev, frame.camera.worldToClipPrev.data(), sizeof(Matrix4));
   std::memcpy(result.camera.jitterPx, frame.camera.jitterPx.data(), sizeof(result.camera.jitterPx));
+  result.demodulated = frame.demodulated ? 1 : 0;
+  result.depthKind = static_cast<quell_depth_kind>(frame.depthKind);
+  result.depthNear = frame.depthNear;
+  result.depthFar = std::isinf(frame.depthFar) ? 0.0 : frame.depthFar;
+  result.motionScale[0] = frame.motionScale[0];
+  result.motionScale[1] = frame.motionScale[1];
+  result.sampleCount = frame.sampleCount;
   forEachInput(frame, result,
                [](const ImageFacts&, const ImageView& view, quell_image_view& given) { given = toC(view); });
   return result;

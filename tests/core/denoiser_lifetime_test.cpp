@@ -1,5 +1,6 @@
 // Denoisers come and go while work is pending; several live side by side.
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <optional>
 #include <thread>
 
@@ -36,6 +37,31 @@ TEST_CASE("a denoiser may go while its frame is pending", "[core]") {
       done.wait();
       CHECK(small.buffers.download() == expected);
     }
+  }
+}
+
+TEST_CASE("a denoiser that went while frames were pending lets go of its queue when they end", "[core]") {
+  const OpenDevice device;
+  for (const cl_command_queue_properties properties :
+       {cl_command_queue_properties{0},
+        cl_command_queue_properties{CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE}}) {
+    cl::CommandQueue queue(device.context, device.device, properties);
+    const cl_uint before = queue.getInfo<CL_QUEUE_REFERENCE_COUNT>();
+    {
+      const FrameBuffers buffers(device,
+                                 {});  // on some runtimes memory refers to the queue that wrote it last
+      Gate gate(device.context);
+      Denoiser doomed(device.context, device.device, queue, Settings(), testOptions());
+      doomed.prepare(buffers.frame, buffers.output);
+      for (int number = 0; number < 3; ++number)
+        doomed.denoise(buffers.frame, buffers.output,
+                       number == 0 ? std::vector<cl_event>{gate.event()} : std::vector<cl_event>{});
+    }
+    queue.finish();
+    // Callbacks may come a little after the end of what they wait for.
+    for (int i = 0; i < 500 && queue.getInfo<CL_QUEUE_REFERENCE_COUNT>() > before; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    CHECK(queue.getInfo<CL_QUEUE_REFERENCE_COUNT>() == before);
   }
 }
 

@@ -89,4 +89,23 @@ TEST_CASE("without temporal antialiasing the display output is the encoded linea
   CHECK(largest < 1e-5);
 }
 
+TEST_CASE("the linear output may be antialiased, for tone maps of one's own", "[core]") {
+  Settings settings;
+  settings.set("antialiasLinear", "on");
+  settings.set("toneMap", "none");
+  settings.set("displayEncoding", "linear");
+  const Picture both = SmallDenoiser({}, testOptions(), 0, settings).run(0, kLastFrame);
+  CHECK(both.linear.pixels == both.display.pixels);
+  const Picture usual = SmallDenoiser().run(0, kLastFrame);
+  CHECK_FALSE(both.linear.pixels == usual.linear.pixels);
+  ImageSetup linearOnly;
+  linearOnly.display = absent();
+  settings = Settings();
+  settings.set("antialiasLinear", "on");
+  CHECK(SmallDenoiser(linearOnly, testOptions(), 0, settings).run(0, kLastFrame).linear.pixels ==
+        both.linear.pixels);
+  CHECK(SmallDenoiser({}, testOptions(), 0, settings).run(0, kLastFrame).display.pixels ==
+        usual.display.pixels);
+}
+
 }  // namespace quell::tests

@@ -53,7 +53,11 @@ Readers<S> commonReaders() {
           READ_AS("taaNewestWeight", common.antialiasing.taaNewestWeight),
           READ_AS("taaJitteredWeight", common.antialiasing.taaJitteredWeight),
           READ_AS("taaSilhouetteWeight", common.antialiasing.taaSilhouetteWeight),
-          READ_AS("jitteredRays", common.antialiasing.jitteredRays)};
+          READ_AS("antialiasLinear", common.antialiasing.antialiasLinear),
+          READ_AS("jitteredRays", common.antialiasing.jitteredRays),
+          READ_AS("toneMap", common.display.toneMap),
+          READ_AS("displayEncoding", common.display.encoding),
+          READ_AS("exposure", common.display.exposure)};
 }
 
 const Readers<QuellSettings> kQuell = {
@@ -68,7 +72,9 @@ const Readers<BmfrSettings> kBmfr = {READ(noisyLeastWeight), READ(filteredLeastW
 const Readers<SvgfSettings> kSvgf = {
     READ(irradianceLeastWeight),  READ(momentsLeastWeight), READ(feedback),
     READ(temporalVarianceFrames), READ(keepLight),          READ(fireflyRatio)};
-const Readers<AtrousSettings> kAtrous = {READ(skip), READ(demodulate)};
+const Readers<AtrousSettings> kAtrous = {READ(skip), READ(demodulate), READ_AS("toneMap", display.toneMap),
+                                         READ_AS("displayEncoding", display.encoding),
+                                         READ_AS("exposure", display.exposure)};
 
 template <class S>
 void checkValues(const SettingTable<S>& table, const Readers<S>& readers, const Settings& settings) {

@@ -22,6 +22,7 @@
 #include "kernels/firefly_weights_params.h"
 #include "kernels/fit_params.h"
 #include "kernels/gram_params.h"
+#include "kernels/import_image_params.h"
 #include "kernels/light_params.h"
 #include "kernels/material_guides_params.h"
 #include "kernels/remodulate_params.h"
@@ -50,6 +51,7 @@ namespace {
   X("firefly_weights_params.h", FireflyWeightsParams, fireflyRatio)                    \
   X("fit_params.h", FitParams, noiseAmplitude)                                         \
   X("gram_params.h", GramParams, noiseVariance)                                        \
+  X("import_image_params.h", ImportImageParams, depthSlope)                            \
   X("light_params.h", LightParams, tilesY)                                             \
   X("material_guides_params.h", MaterialGuidesParams, images)                          \
   X("remodulate_params.h", RemodulateParams, tilesY)                                   \

@@ -79,7 +79,7 @@ TEST_CASE("a buffer of another context is refused", "[errors]") {
 TEST_CASE("an image object in place of a buffer is refused", "[errors]") {
   SmallDenoiser probe;
   if (probe.device.device.getInfo<CL_DEVICE_IMAGE_SUPPORT>() == 0) return;
-  checkEach(ErrorCode::InvalidArgument, "a buffer object", "another kind",
+  checkEach(ErrorCode::InvalidArgument, "a buffer object", "an image object",
             [](SmallDenoiser& small, const Image&) {
               return cl::Image2D(small.device.context, CL_MEM_READ_WRITE, cl::ImageFormat(CL_RGBA, CL_FLOAT),
                                  64, 64);

@@ -47,7 +47,8 @@ TEST_CASE("singular matrices are refused by name", "[errors]") {
   checkCamera(invalid("worldToClip", "independent", "singular"), [](Camera& c) {
     for (std::size_t i = 0; i < 4; ++i) c.worldToClip[i] = c.worldToClip[4 + i];
   });
-  checkCamera(invalid("worldToClipPrev", "clip.w > 0", "0"), [](Camera& c) { c.worldToClipPrev = {}; });
+  // All zero stands for the camera of the frame before.
+  checkCamera(invalid("worldToClipPrev", "clip.w > 0", "0"), [](Camera& c) { c.worldToClipPrev = {1.0}; });
 }
 
 TEST_CASE("jitter beyond a pixel is refused by name", "[errors]") {

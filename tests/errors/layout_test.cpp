@@ -106,6 +106,15 @@ TEST_CASE("strides, pitches and offsets that do not fit the components are refus
        [row](Frame& f, Output&) { f.normalWorld.rowPitchBytes = row - 4; }},
       {invalid("output.linear", "in multiples of 4", std::to_string(row + 2)),
        [row](Frame&, Output& o) { o.linear.rowPitchBytes = row + 2; }},
+      {invalid("albedo", "an offset of at least " + std::to_string(20 * row), "0"),
+       [row](Frame& f, Output&) { f.albedo.rowPitchBytes = -static_cast<std::ptrdiff_t>(row); }},
+      {invalid("albedo", "a row pitch of at least " + std::to_string(row), "-4"),
+       [](Frame& f, Output&) { f.albedo.rowPitchBytes = -4; }},
+      {invalid("albedo", "no offset, pixel stride or row pitch", "stride 16"),
+       [](Frame& f, Output&) {
+         f.albedo = imageObject(nullptr, 3);
+         f.albedo.pixelStrideBytes = 16;
+       }},
       {invalid("emission", "an offset in multiples of 4 bytes", "6"),
        [](Frame& f, Output&) { f.emission.offsetBytes = 6; }},
       {invalid("positionWorld", "an offset in multiples of 2 bytes", "3"),

@@ -28,3 +28,21 @@ TEST_CASE("luma of grey is its value") {
   REQUIRE(luma(0.3, 0.3, 0.3) == Approx(0.3).epsilon(1e-12));
   REQUIRE(luma(0.0, 1.0, 0.0) == 0.7152);
 }
+
+TEST_CASE("tone maps and encodings have the values of their sources") {
+  using quell::DisplayEncoding;
+  using quell::ToneMap;
+  const auto grey = [](double value, const quell::DisplayTransform& transform) {
+    return displayed({value, value, value}, transform)[1];
+  };
+  // IEC 61966-2-1: half the light is 188 of 255; the linear part ends at 0.04045.
+  CHECK(grey(0.5, {ToneMap::Clamp, DisplayEncoding::Srgb}) == Approx(0.735357).margin(1e-6));
+  CHECK(grey(0.0031308, {ToneMap::Clamp, DisplayEncoding::Srgb}) == Approx(0.04045).margin(1e-5));
+  CHECK(grey(3.0, {ToneMap::Reinhard, DisplayEncoding::Linear}) == Approx(0.75));
+  CHECK(displayed({4.0, 0.0, 0.0}, {ToneMap::Reinhard, DisplayEncoding::Linear})[0] ==
+        1.0);  // 4 / (1 + 0.85)
+  CHECK(grey(1.0, {ToneMap::Aces, DisplayEncoding::Linear}) == Approx(2.54 / 3.16));
+  CHECK(grey(1e4, {ToneMap::Aces, DisplayEncoding::Linear}) == 1.0);
+  CHECK(grey(0.25, {ToneMap::None, DisplayEncoding::Linear, 3.0}) == 2.0);
+  CHECK(grey(0.25, {}) == Approx(encodeDisplay(0.25f)));
+}

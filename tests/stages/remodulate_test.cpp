@@ -3,6 +3,8 @@
 #include <iterator>
 #include <limits>
 
+#include "host/methods/setting_table.hpp"
+#include "host/metrics/display_encoding.hpp"
 #include "kernels/accumulate_noisy_params.h"
 #include "tests/cases/demodulate_case.hpp"
 #include "tests/cases/remodulate_case.hpp"
@@ -21,18 +23,25 @@ CaseMaker maker(const MaterialVariant& variant, RemodulateTo to = RemodulateTo::
   };
 }
 
-// Encodes these values of background, one a pixel, as grey.
-std::vector<float> encode(const std::vector<float>& values, Mapping mapping) {
+// The display image of these values of background, one a pixel; channels are `tint` of them.
+Planes show(const std::vector<float>& values, Mapping mapping, const std::array<float, 3>& tint,
+            const DisplayTransform& transform) {
   CaseOptions options;
   options.size = {int(values.size()), 1};
   options.mapping = mapping;
-  RemodulateCase remodulate(options, kPlainMaterial, RemodulateTo::Outputs);
+  RemodulateCase remodulate(options, kPlainMaterial, RemodulateTo::Outputs, LightLoss::Left, transform);
   std::fill(remodulate.inputs.guides.values.begin(), remodulate.inputs.guides.values.end(), 0.0f);
   for (int x = 0; x < options.size.width; ++x)
-    for (int c = 0; c < 3; ++c) remodulate.inputs.material.radiance.at(x, 0, c) = values[std::size_t(x)];
+    for (int c = 0; c < 3; ++c)
+      remodulate.inputs.material.radiance.at(x, 0, c) = values[std::size_t(x)] * tint[std::size_t(c)];
   remodulate.uploadAndRun();
-  const Planes encoded = remodulate.display();
-  return {encoded.values.begin(), encoded.values.begin() + options.size.width};
+  return remodulate.display();
+}
+
+// Encodes these values of background as grey.
+std::vector<float> encode(const std::vector<float>& values, Mapping mapping) {
+  const Planes encoded = show(values, mapping, {1.0f, 1.0f, 1.0f}, {});
+  return {encoded.values.begin(), encoded.values.begin() + encoded.width};
 }
 
 // The spacing of halves at this value.
@@ -126,6 +135,29 @@ TEST_CASE("remodulate encodes 0 and 1 as themselves, clamps, and rises along a r
     for (std::size_t i = 0; i < ramp.size(); ++i)
       worst = std::max(worst, std::abs(encoded[i] - encodeDisplayExact(ramp[i])));
     CHECK(worst <= kEncodingTolerance);
+  }
+}
+
+TEST_CASE("remodulate shows light through every tone map and encoding, exposed") {
+  const DisplayTransform transforms[] = {{ToneMap::Reinhard, DisplayEncoding::Srgb, 1.5},
+                                         {ToneMap::Aces, DisplayEncoding::Linear, -0.5},
+                                         {ToneMap::None, DisplayEncoding::Gamma, 2.0},
+                                         {ToneMap::None, DisplayEncoding::Linear, 32.0}};
+  const std::array<float, 3> tint{1.0f, 0.5f, 0.25f};
+  std::vector<float> values{0.0f};
+  for (float value = 1e-6f; value < 60000.0f; value *= 1.5f) values.push_back(value);
+  for (const DisplayTransform& transform : transforms) {
+    INFO(choiceName(transform.toneMap) << ", " << choiceName(transform.encoding));
+    const Planes shown = show(values, Mapping::Wide, tint, transform);
+    double worst = 0.0;
+    for (int x = 0; x < shown.width; ++x) {
+      const double value = double(values[std::size_t(x)]);
+      const auto exact = metrics::displayed({value, 0.5 * value, 0.25 * value}, transform);
+      for (int c = 0; c < 3; ++c)
+        worst = std::max(worst, std::abs(double(shown.at(c, x, 0)) - exact[std::size_t(c)]) /
+                                    std::max(1.0, exact[std::size_t(c)]));
+    }
+    CHECK(worst <= 1.5 * kEncodingTolerance);
   }
 }
 

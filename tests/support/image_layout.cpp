@@ -11,8 +11,8 @@ namespace {
 constexpr unsigned char kGap = 0xA5;
 
 std::size_t componentOffset(const ImageView& view, int width, int x, int y, int channel) {
-  return view.offsetBytes + std::size_t(y) * view.rowPitch(width) + std::size_t(x) * view.pixelStride() +
-         std::size_t(channel) * view.componentBytes();
+  return std::size_t(std::ptrdiff_t(view.offsetBytes) + y * view.rowPitch(width)) +
+         std::size_t(x) * view.pixelStride() + std::size_t(channel) * view.componentBytes();
 }
 
 void storeComponent(unsigned char* where, ComponentFormat format, float value) {
@@ -67,8 +67,8 @@ ImageView makeView(const ImageLayout& layout, Size size) {
   view.offsetBytes = std::size_t(layout.offset) * component;
   view.pixelStrideBytes = std::size_t(layout.pixelStride) * component;
   if (layout.rowPadding != 0)
-    view.rowPitchBytes =
-        view.pixelStride() * std::size_t(size.width) + std::size_t(layout.rowPadding) * component;
+    view.rowPitchBytes = std::ptrdiff_t(view.pixelStride() * std::size_t(size.width) +
+                                        std::size_t(layout.rowPadding) * component);
   return view;
 }
 

@@ -125,7 +125,8 @@ FrameErrors compareFrame(const io::FrameData& frame, const DenoisedFrame& denois
                          const io::Reference& reference) {
   return {frame.number, metrics::compareToReference(frame.noisy(), false, reference.a, reference.b),
           metrics::compareToReference(denoised.linear, false, reference.a, reference.b),
-          metrics::compareToReference(denoised.display, true, reference.a, reference.b), reference.kind};
+          metrics::compareToReference(denoised.display, true, reference.a, reference.b, denoised.transform),
+          reference.kind};
 }
 
 metrics::TrackedFrame trackFrame(const io::FrameData& frame, const DenoisedFrame& denoised) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/core/cl_error.hpp"
+#include "host/methods/method.hpp"
 
 namespace quell::cli {
 namespace {
@@ -33,6 +34,10 @@ std::vector<InputImage> usedInputs(MotionUse motion) {
 std::size_t bytesOf(const io::Image& image) { return image.pixels.size() * sizeof(float); }
 
 }  // namespace
+
+DisplayTransform displayTransform(const Settings& settings) {
+  return findMethod(settings.method()).runtimeSettings(settings).display;
+}
 
 class DenoiseSession::Implementation {
  public:
@@ -69,7 +74,7 @@ class DenoiseSession::Implementation {
 
   DenoisedFrame denoise(const io::FrameData& data) {
     run(data);
-    return {download(m_output.linear), download(m_output.display)};
+    return {download(m_output.linear), download(m_output.display), displayTransform(m_denoiser.settings())};
   }
 
   const std::vector<InputImage> m_inputs;

@@ -6,15 +6,20 @@
 #include <quell/quell.hpp>
 #include <string>
 
+#include "host/core/display_transform.hpp"
 #include "host/core/fnv1a.hpp"
 #include "host/io/frame_sequence.hpp"
 
 namespace quell::cli {
 
+/// What settings of a method make of light for display.
+DisplayTransform displayTransform(const Settings& settings);
+
 /// Both outputs of one frame, float, 3 channels.
 struct DenoisedFrame {
   io::Image linear;
   io::Image display;
+  DisplayTransform transform = {};  ///< what made `display` of light
 };
 
 /// Whether motion vectors and object ids of a sequence reach the denoiser.

@@ -74,8 +74,7 @@ void OutputFiles::writeLinear(const std::string& prefix, const io::FrameData& fr
 
 void OutputFiles::writeComparison(const io::FrameData& noisy, const DenoisedFrame& denoised,
                                   const io::Reference& reference) const {
-  io::writePng(path("comparison", noisy.number, "png"),
-               comparisonSheet(noisy.noisy(), denoised.display, &reference));
+  io::writePng(path("comparison", noisy.number, "png"), comparisonSheet(noisy.noisy(), denoised, &reference));
 }
 
 void OutputFiles::writeBuffer(int frame, const BufferContent& content) const {
@@ -98,13 +97,16 @@ void OutputFiles::writeTiles(int frame, const DenoisedFrame& denoised, const Bac
   io::writePng(path("tiles", frame, "png"), picture);
 }
 
-io::Image comparisonSheet(const io::Image& noisy, const io::Image& display, const io::Reference* reference) {
-  const int width = display.width;
-  io::Image sheet((reference != nullptr ? 3 : 2) * width, display.height, 3);
-  paste(sheet, metrics::encodeForDisplay(noisy), 0);
-  paste(sheet, display, width);
-  if (reference != nullptr)
-    paste(sheet, metrics::encodeForDisplay(metrics::meanOfHalves(reference->a, reference->b)), 2 * width);
+io::Image comparisonSheet(const io::Image& noisy, const DenoisedFrame& denoised,
+                          const io::Reference* reference) {
+  const int width = denoised.display.width;
+  const auto shown = [&](const io::Image& linear) {
+    return metrics::encodeForDisplay(linear, denoised.transform);
+  };
+  io::Image sheet((reference != nullptr ? 3 : 2) * width, denoised.display.height, 3);
+  paste(sheet, shown(noisy), 0);
+  paste(sheet, denoised.display, width);
+  if (reference != nullptr) paste(sheet, shown(metrics::meanOfHalves(reference->a, reference->b)), 2 * width);
   return sheet;
 }
 

@@ -27,8 +27,9 @@ struct OutputFormats {
 };
 
 /// Display-encoded pictures side by side, 3 channels: noisy | denoised | reference, the last only where there is one.
-/// `noisy` is linear, `display` the denoiser's display image.
-io::Image comparisonSheet(const io::Image& noisy, const io::Image& display, const io::Reference* reference);
+/// `noisy` is linear, and shown through the transform of the denoised frame.
+io::Image comparisonSheet(const io::Image& noisy, const DenoisedFrame& denoised,
+                          const io::Reference* reference);
 
 /// What the denoise command leaves in its output directory.
 class OutputFiles {

@@ -107,8 +107,7 @@ class Demo {
       noisy.radiance = pictures.noisy;
       m_report.errors.push_back(compareFrame(noisy, pictures.denoised, *reference));
     }
-    writeSheet(frame,
-               comparisonSheet(pictures.noisy, pictures.denoised.display, reference ? &*reference : nullptr));
+    writeSheet(frame, comparisonSheet(pictures.noisy, pictures.denoised, reference ? &*reference : nullptr));
   }
 
   void writeSheet(int frame, const io::Image& sheet) {

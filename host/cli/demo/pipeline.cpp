@@ -61,7 +61,10 @@ class DemoPipeline::Implementation {
     m_denoiser.denoise(m_frame, m_output);
   }
 
-  DemoPictures read() { return {read(m_tracer.images().radiance), {read(m_linear), read(m_display)}}; }
+  DemoPictures read() {
+    return {read(m_tracer.images().radiance),
+            {read(m_linear), read(m_display), displayTransform(m_denoiser.settings())}};
+  }
 
   io::Reference reference(int frame, int samples) {
     // Apart from the tracer whose images the denoiser reads, and whose times are reported.

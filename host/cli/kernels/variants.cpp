@@ -58,10 +58,17 @@ std::vector<std::string> valuesOf(const SettingDescription& setting) {
   return {};
 }
 
+/// What a stage does with it does not depend on other settings: its values meet only the defaults, and each other in turn.
+bool standsAlone(const SettingDescription& setting) {
+  return setting.name == "toneMap" || setting.name == "displayEncoding" || setting.name == "antialiasLinear";
+}
+
 std::vector<Settings> allChoices(const std::string& method, const std::string& features) {
   std::vector<Settings> all = {Settings(method)};
   if (!features.empty() && hasSetting(method, "features")) all[0].set("features", features);
+  const Settings usual = all[0];
   for (const SettingDescription& setting : methodSettings(method)) {
+    if (standsAlone(setting)) continue;
     std::vector<Settings> varied;
     for (const std::string& value : valuesOf(setting)) {
       for (Settings settings : all) {
@@ -70,6 +77,16 @@ std::vector<Settings> allChoices(const std::string& method, const std::string& f
       }
     }
     if (!varied.empty()) all = std::move(varied);
+  }
+  std::size_t most = 0;
+  for (const SettingDescription& setting : methodSettings(method))
+    if (standsAlone(setting)) most = std::max(most, valuesOf(setting).size());
+  for (std::size_t i = 0; i < most; ++i) {
+    all.push_back(usual);
+    for (const SettingDescription& setting : methodSettings(method)) {
+      const std::vector<std::string> values = valuesOf(setting);
+      if (standsAlone(setting)) all.back().set(setting.name, values[i % values.size()]);
+    }
   }
   return all;
 }
