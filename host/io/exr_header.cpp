@@ -145,7 +145,7 @@ ExrHeader describe(const std::vector<Imf::Header>& headers) {
 }
 
 ExrHeader readExrHeader(const std::string& path) {
-  return withExrFile(path, [](Imf::MultiPartInputFile&, const ExrHeader& header) { return header; });
+  return withExrErrors(path, [&] { return describe(openExr(path)); });
 }
 
 }  // namespace quell::io
