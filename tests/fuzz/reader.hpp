@@ -1,4 +1,4 @@
-// What the fuzzers of readers share: the input as a file, and what a reader may do with it.
+// What the fuzzers of readers share: the input as a file, what a reader may do with it, and how it is called.
 #pragma once
 
 #include <unistd.h>
@@ -9,8 +9,25 @@
 #include <fstream>
 #include <quell/error.hpp>
 #include <string>
+#include <vector>
 
 namespace quell::fuzz {
+
+/// A reader of untrusted bytes. One of each file here, at namespace scope; its seeds are in seeds/NAME.
+struct Reader {
+  using Read = void (*)(const std::uint8_t* bytes, std::size_t count);
+
+  Reader(const char* itsName, Read itsRead) : name(itsName), read(itsRead) { all().push_back(this); }
+
+  /// Those of the program, in no order.
+  static std::vector<const Reader*>& all() {
+    static std::vector<const Reader*> readers;
+    return readers;
+  }
+
+  const char* name;
+  Read read;
+};
 
 /// A file of these bytes, the same path for all inputs of a process. `name` decides what some readers take it for.
 inline std::string asFile(const std::uint8_t* bytes, std::size_t count, const std::string& name) {
