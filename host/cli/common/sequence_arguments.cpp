@@ -10,16 +10,18 @@
 namespace quell::cli {
 namespace {
 
+/// What --missing takes.
+constexpr char kRefuse[] = "error", kSkip[] = "skip";
+
 void addMissingOption(CLI::App& command, io::MissingFrames& missing) {
-  constexpr char kRefuse[] = "error", kSkip[] = "skip";
   command
       .add_option_function<std::string>(
           "--missing",
           [&missing](const std::string& text) {
-            missing = text == "skip" ? io::MissingFrames::Skip : io::MissingFrames::Refuse;
+            missing = text == kSkip ? io::MissingFrames::Skip : io::MissingFrames::Refuse;
           },
           "Frames missing in between: error, or skip, which goes on after a gap as after a cut")
-      ->check(CLI::IsMember({kRefuse, kSkip}))
+      ->check(CLI::IsMember(std::vector<std::string>{kRefuse, kSkip}))
       ->default_str(kRefuse);
 }
 
