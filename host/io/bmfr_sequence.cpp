@@ -128,12 +128,14 @@ FrameData BmfrSequence::read(int frame) const {
 
 void BmfrSequence::requireReadable(const std::vector<int>& frames) const {
   for (const int frame : frames) {
+    OpenFiles opened;
+    originOf(opened.whole(fileOf(frame, factsOf(&FrameData::radiance).files)), m_windows);
     for (const auto image : kImages) {
       const ImageFiles& files = factsOf(image).files;
-      const ExrFile file(fileOf(frame, files));
-      if (image == &FrameData::radiance) requireWindows(file.path(), file.header().windows, m_windows);
-      requireWithin(file, channelsOfLetters(files.channels), m_windows);
+      requireWithin(opened.whole(fileOf(frame, files)), channelsOfLetters(files.channels), m_windows);
     }
+    if (const FrameFiles& references = m_files.withPrefix(kReferenceStem); references.has(frame))
+      requireWithin(opened.whole(references.path(frame)), channelsOfLetters("RGB"), m_windows);
   }
 }
 

@@ -131,11 +131,20 @@ Image ChannelFiles::read(OpenFiles& files, FrameData& data, const std::string& i
 
 void ChannelFiles::requireReadable(int frame) const {
   OpenFiles files;
+  files.whole(fileOf(frame));
   origin(files, frame);
   for (const auto& [image, channels] : m_map.images)
     for (const std::vector<std::string>& term : channels.terms)
       for (const PassChannels& part : byPass(term))
-        requireWithin(files.at(m_passes[part.pass].files.path(frame)), part.names, m_windows);
+        requireWithin(files.whole(m_passes[part.pass].files.path(frame)), part.names, m_windows);
+  for (const ReferenceKind kind : {ReferenceKind::Centre, ReferenceKind::Antialiased}) {
+    for (const char half : {'a', 'b'}) {
+      const std::string path = referenceFile(frame, kind, half);
+      if (path.empty()) continue;
+      const ExrFile& file = files.whole(path);
+      requireWithin(file, referenceChannels(file), m_windows);
+    }
+  }
 }
 
 ExrOrigin ChannelFiles::origin(OpenFiles& files, int frame) const {
@@ -158,8 +167,7 @@ std::string ChannelFiles::referenceFile(int frame, ReferenceKind kind, char half
   return {};
 }
 
-Image ChannelFiles::readReference(const std::string& path) const {
-  const ExrFile file(path);
+std::vector<std::string> ChannelFiles::referenceChannels(const ExrFile& file) const {
   std::vector<std::string> names;
   for (const std::string& channel : m_map.images.at(kColor).terms.front())
     names.push_back(m_places.at(channel).name);
@@ -167,8 +175,13 @@ Image ChannelFiles::readReference(const std::string& path) const {
   const bool named = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
     return std::find(there.begin(), there.end(), name) != there.end();
   });
+  return named ? names : std::vector<std::string>();
+}
+
+Image ChannelFiles::readReference(const std::string& path) const {
+  const ExrFile file(path);
   std::vector<FrameWarning> unheard;  // a reference is looked at for figures, not for its frame
-  return readWithin(file, named ? names : std::vector<std::string>(), m_windows, unheard);
+  return readWithin(file, referenceChannels(file), m_windows, unheard);
 }
 
 }  // namespace quell::io

@@ -76,6 +76,7 @@ class ChannelFiles {
   };
   std::vector<PassChannels> byPass(const std::vector<std::string>& channels) const;
   Image readTerm(OpenFiles& files, FrameData& data, const std::vector<std::string>& channels) const;
+  std::vector<std::string> referenceChannels(const ExrFile& file) const;
   const PassFiles& passOf(const std::string& image) const;
   void lookInto(const PassFiles& pass, std::size_t index, std::vector<std::string>& views);
 

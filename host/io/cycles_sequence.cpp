@@ -55,12 +55,15 @@ FrameData CyclesSequence::read(int frame) const {
 
 void CyclesSequence::requireReadable(const std::vector<int>& frames) const {
   for (const int frame : frames) {
-    for (const ImageSource& source : m_sources) {
-      const ExrFile file(filesOf(source.files.stem).path(frame));
-      if (source.files.stem == std::string(kColor.stem))
-        requireWindows(file.path(), file.header().windows, m_windows);
-      requireWithin(file, channelsOfLetters(source.files.channels), m_windows);
-    }
+    OpenFiles files;
+    originOf(files.whole(filesOf(kColor.stem).path(frame)), m_windows);
+    for (const ImageSource& source : m_sources)
+      requireWithin(files.whole(filesOf(source.files.stem).path(frame)),
+                    channelsOfLetters(source.files.channels), m_windows);
+    for (const ReferenceKind kind : {ReferenceKind::Centre, ReferenceKind::Antialiased})
+      for (const char half : {'a', 'b'})
+        if (const FrameFiles& halves = filesOf(referenceStem(kind, half, kColor.stem)); halves.has(frame))
+          requireWithin(files.whole(halves.path(frame)), channelsOfLetters(kColor.channels), m_windows);
   }
 }
 

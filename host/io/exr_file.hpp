@@ -46,6 +46,12 @@ class ExrFile {
 class OpenFiles {
  public:
   const ExrFile& at(const std::string& path) { return m_files.try_emplace(path, path).first->second; }
+  /// Throws besides what requireAllLines() throws.
+  const ExrFile& whole(const std::string& path) {
+    const auto [file, isNew] = m_files.try_emplace(path, path);
+    if (isNew) requireAllLines(path);
+    return file->second;
+  }
 
  private:
   std::map<std::string, ExrFile> m_files;

@@ -51,16 +51,6 @@ TEST_CASE("separate files of other channels and sizes are named", "[broken]") {
             i.image("albedo_0001.exr", {"R", "G", "B"}, 7);
           },
           {"albedo_0001.exr"}},
-         {"the last frame of another size",
-          [](const Input& i) {
-            i.image("color_0002.exr", {"R", "G", "B"}, 7);
-          },
-          {"color_0002.exr", "6x4", "7x4"}},
-         {"the last normals of other channels",
-          [](const Input& i) {
-            i.image("shading_normal_0002.exr", {"U", "V", "W"});
-          },
-          {"shading_normal_0002.exr", "U V W"}},
          {"colour without green",
           [](const Input& i) {
             i.image("color_0001.exr", {"B", "R"});
@@ -77,6 +67,34 @@ TEST_CASE("separate files of other channels and sizes are named", "[broken]") {
          {"normals a folder",
           [](const Input& i) { i.asFolder("shading_normal_0001.exr"); },
           {"shading_normal_0001.exr"}}});
+}
+
+TEST_CASE("what is wrong with later frames and references is told before anything is written", "[broken]") {
+  check("separate", writeSeparate,
+        {{"the last frame of another size",
+          [](const Input& i) {
+            i.image("color_0002.exr", {"R", "G", "B"}, 7);
+          },
+          {"color_0002.exr", "6x4", "7x4"}},
+         {"the last frame cut in half",
+          [](const Input& i) { i.cut("color_0002.exr", 0.5); },
+          {"color_0002.exr"}},
+         {"a reference cut in half",
+          [](const Input& i) {
+            i.image("ref_a_color_0002.exr", {"R", "G", "B"});
+            i.cut("ref_a_color_0002.exr", 0.6);
+          },
+          {"ref_a_color_0002.exr"}},
+         {"a reference of another size",
+          [](const Input& i) {
+            i.image("ref_b_color_0002.exr", {"R", "G", "B"}, 5);
+          },
+          {"ref_b_color_0002.exr", "6x4", "5x4"}},
+         {"the last normals of other channels",
+          [](const Input& i) {
+            i.image("shading_normal_0002.exr", {"U", "V", "W"});
+          },
+          {"shading_normal_0002.exr", "U V W"}}});
 }
 
 TEST_CASE("frames, devices and settings that are not there are named", "[broken]") {
@@ -169,6 +187,7 @@ TEST_CASE("broken multilayer files are named", "[broken]") {
             i.write("0002.exr", "");
           },
           {"in"}},
+         {"the last frame cut", [](const Input& i) { i.cut("0002.exr", 0.9); }, {"0002.exr"}},
          {"the last frame without a pass",
           [](const Input& i) { i.multilayer("0002.exr", passesWithout("Normal")); },
           {"0002.exr", "Normal.X"}},
