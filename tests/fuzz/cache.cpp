@@ -8,7 +8,7 @@ namespace {
 
 void read(const std::uint8_t* bytes, std::size_t count) {
   namespace fs = std::filesystem;
-  const std::string directory = fs::path(asFile(bytes, count, "entry")).parent_path().string() + "/cache";
+  const std::string directory = (directoryOfFiles() / "cache").string();
   const DiskCache disk(directory);
   // The text of a tuning within an intact entry, then an entry that is these bytes.
   writeTuning(disk, "device", {});

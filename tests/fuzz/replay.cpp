@@ -124,5 +124,6 @@ int main(int argc, char** argv) {
                 double(std::clock() - begin) / CLOCKS_PER_SEC);
     if (inputs == 0) return 1;
   }
+  std::filesystem::remove_all(directoryOfFiles());
   return 0;
 }
