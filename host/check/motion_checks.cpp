@@ -46,24 +46,33 @@ std::vector<double> errors(const std::vector<Moving>& moving, const glm::dvec2& 
 struct Reading {
   std::string is;
   glm::dvec2 factor;  ///< takes what is given to pixels, previous minus current, y down
+  std::string kind;   ///< what --channels calls it (host/io/motion_kind.hpp), empty: nothing
 };
 
+std::string joined(const std::string& a, const std::string& b) {
+  return a.empty() || b.empty() ? a + b : a + "/" + b;
+}
+
 std::vector<Reading> readings(Size size) {
-  const std::pair<const char*, glm::dvec2> units[] = {{"", {1.0, 1.0}},
-                                                      {", as shares of the image", {size.width, size.height}},
-                                                      {", in NDC", {0.5 * size.width, 0.5 * size.height}}};
-  const std::pair<const char*, glm::dvec2> signs[] = {{"previous minus current", {1.0, 1.0}},
-                                                      {"previous minus current, y up", {1.0, -1.0}},
-                                                      {"current minus previous", {-1.0, -1.0}},
-                                                      {"current minus previous, y up", {-1.0, 1.0}}};
+  const Reading units[] = {{"", {1.0, 1.0}, ""},
+                           {", as shares of the image", {size.width, size.height}, "uv"},
+                           {", in NDC", {0.5 * size.width, 0.5 * size.height}, "ndc"}};
+  const Reading signs[] = {{"previous minus current", {1.0, 1.0}, ""},
+                           {"previous minus current, y up", {1.0, -1.0}, "y-up"},
+                           {"current minus previous", {-1.0, -1.0}, "from-previous"},
+                           {"current minus previous, y up", {-1.0, 1.0}, "y-up/from-previous"}};
   std::vector<Reading> all;
-  for (const auto& [unit, scale] : units)
-    for (const auto& [sign, direction] : signs) all.push_back({std::string(sign) + unit, scale * direction});
+  for (const Reading& unit : units)
+    for (const Reading& sign : signs)
+      all.push_back({sign.is + unit.is, unit.factor * sign.factor, joined(unit.kind, sign.kind)});
   return all;
 }
 
-std::string factorText(const glm::dvec2& factor) {
-  return "x by " + fixed(factor.x, 2) + ", y by " + fixed(factor.y, 2);
+std::string cureOf(const Reading& reading) {
+  const std::string multiply =
+      "multiply x by " + fixed(reading.factor.x, 2) + ", y by " + fixed(reading.factor.y, 2);
+  return reading.kind.empty() ? multiply
+                              : multiply + "; of files, --channels motion=NAME:" + reading.kind + " does it";
 }
 
 std::string expectedText() { return "motion in pixels, x right, y down, previous minus current"; }
@@ -94,14 +103,15 @@ bool explain(const Context& context, const std::vector<Moving>& moving, double g
   std::vector<Reading> all = readings(context.size);
   const double ratio = lengthRatio(moving);
   if (std::isfinite(1.0 / ratio))
-    all.push_back({fixed(std::abs(ratio), 3) + " times as long as they should be", glm::dvec2(1.0 / ratio)});
+    all.push_back(
+        {fixed(std::abs(ratio), 3) + " times as long as they should be", glm::dvec2(1.0 / ratio), ""});
   for (const Reading& reading : all) {
     const double error = median(errors(moving, reading.factor));
     if (!(error < kMuchBetter * given && error < kSamePx)) continue;
     result.add({"motion-convention", Severity::Wrong, "motion", expectedText(),
                 fixed(given, 2) + " px from where the matrices lead (median); " + fixed(error, 2) +
                     " px read as " + reading.is,
-                "multiply " + factorText(reading.factor), pixels});
+                cureOf(reading), pixels});
     return true;
   }
   return false;

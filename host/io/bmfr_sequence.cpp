@@ -7,7 +7,6 @@
 
 #include "host/io/atomic_file.hpp"
 #include "host/io/c_header_values.hpp"
-#include "host/io/exr_image.hpp"
 #include "host/io/file_error.hpp"
 #include "host/io/sequence_files.hpp"
 
@@ -115,14 +114,29 @@ FrameData BmfrSequence::read(int frame) const {
   FrameData data;
   data.number = frame;
   markGap(data, m_frames, fileOf(frame - 1, factsOf(&FrameData::radiance).files));
-  data.origin = originOf(fileOf(frame, factsOf(&FrameData::radiance).files), m_windows);
+  OpenFiles opened;
+  data.origin = originOf(opened.at(fileOf(frame, factsOf(&FrameData::radiance).files)), m_windows);
   data.camera = cropped(cameraOf(frame), m_windows);
   for (const auto image : kImages) {
     const ImageFiles& files = factsOf(image).files;
-    data.*image = readLettersWithin(fileOf(frame, files), files.channels, m_windows, data.warnings);
+    data.*image = readWithin(opened.at(fileOf(frame, files)), channelsOfLetters(files.channels), m_windows,
+                             data.warnings);
   }
   data.demodulated = true;
   return data;
+}
+
+void BmfrSequence::requireReadable(const std::vector<int>& frames) const {
+  for (const int frame : frames) {
+    OpenFiles opened;
+    originOf(opened.whole(fileOf(frame, factsOf(&FrameData::radiance).files)), m_windows);
+    for (const auto image : kImages) {
+      const ImageFiles& files = factsOf(image).files;
+      requireWithin(opened.whole(fileOf(frame, files)), channelsOfLetters(files.channels), m_windows);
+    }
+    if (const FrameFiles& references = m_files.withPrefix(kReferenceStem); references.has(frame))
+      requireWithin(opened.whole(references.path(frame)), channelsOfLetters("RGB"), m_windows);
+  }
 }
 
 std::string BmfrSequence::fileOf(int frame, const ImageFiles& files) const {
@@ -137,8 +151,8 @@ bool BmfrSequence::hasReference(int frame, ReferenceKind kind) const {
 Reference BmfrSequence::reference(int frame, ReferenceKind kind) const {
   requireReference(*this, frame, kind);
   std::vector<FrameWarning> unheard;  // a reference is looked at for figures, not for its frame
-  return {
-      readLettersWithin(m_files.withPrefix(kReferenceStem).path(frame), "RGB", m_windows, unheard), {}, kind};
+  const ExrFile file(m_files.withPrefix(kReferenceStem).path(frame));
+  return {readWithin(file, channelsOfLetters("RGB"), m_windows, unheard), {}, kind};
 }
 
 }  // namespace quell::io

@@ -42,6 +42,7 @@ class BmfrSequence final : public FrameSequence {
   /// Throws Error(InvalidArgument) for a frame that is not there or an image whose size differs from the
   /// first frame's, Error(FileError) for an unreadable file.
   FrameData read(int frame) const override;
+  void requireReadable(const std::vector<int>& frames) const override;
   std::string fileOf(int frame, const ImageFiles& files) const override;
   bool hasReference(int frame, ReferenceKind kind) const override;
   Reference reference(int frame, ReferenceKind kind) const override;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/io/atomic_file.hpp"
+#include "host/io/camera_keys.hpp"
 #include "host/io/file_error.hpp"
 #include "host/io/look_at.hpp"
 #include "host/io/sequence_files.hpp"
@@ -16,6 +17,7 @@ namespace quell::io {
 namespace {
 
 using nlohmann::json;
+using Key = CameraKey;
 
 constexpr char kStage[] = "open sequence";
 constexpr std::size_t kMatrixSide = 4;
@@ -32,10 +34,10 @@ class Entry {
     if (got.size() > kMost) got = got.substr(0, kMost) + "...";
     throwFileError(kStage, m_path, m_name.empty() ? expected : fmt::format("{}: {}", m_name, expected), got);
   }
-  bool has(const char* key) const { return m_value.is_object() && m_value.contains(key); }
-  Entry at(const char* key, const std::string& expected) const {
-    if (!has(key)) throwFileError(kStage, m_path, fmt::format("{}.{}: {}", m_name, key, expected), "none");
-    return {m_path, nameOf(key), m_value.at(key)};
+  bool has(Key key) const { return m_value.is_object() && m_value.contains(nameOf(key)); }
+  Entry at(Key key, const std::string& expected) const {
+    if (!has(key)) throwFileError(kStage, m_path, fmt::format("{}: {}", fullName(key), expected), "none");
+    return {m_path, fullName(key), m_value.at(nameOf(key))};
   }
   Entry at(std::size_t index) const {
     return {m_path, fmt::format("{}[{}]", m_name, index), m_value.at(index)};
@@ -85,7 +87,7 @@ class Entry {
   }
 
  private:
-  std::string nameOf(const char* key) const { return m_name.empty() ? key : m_name + "." + key; }
+  std::string fullName(Key key) const { return (m_name.empty() ? "" : m_name + ".") + nameOf(key); }
 
   const std::string& m_path;
   std::string m_name;
@@ -96,8 +98,8 @@ class Entry {
 class FrameEntry {
  public:
   FrameEntry(const Entry& frame, const Entry& file) : m_frame(frame), m_file(file) {}
-  bool has(const char* key) const { return m_frame.has(key) || m_file.has(key); }
-  Entry at(const char* key, const std::string& expected) const {
+  bool has(Key key) const { return m_frame.has(key) || m_file.has(key); }
+  Entry at(Key key, const std::string& expected) const {
     return !m_frame.has(key) && m_file.has(key) ? m_file.at(key, expected) : m_frame.at(key, expected);
   }
   const Entry& own() const { return m_frame; }
@@ -107,8 +109,8 @@ class FrameEntry {
 };
 
 FovAxis fovAxis(const FrameEntry& entry) {
-  if (!entry.has("fov_axis")) return FovAxis::Y;
-  const std::string name = entry.at("fov_axis", "").choice({"x", "y", "smaller", "larger"});
+  if (!entry.has(Key::FovAxis)) return FovAxis::Y;
+  const std::string name = entry.at(Key::FovAxis, "").choice({"x", "y", "smaller", "larger"});
   return name == "x"         ? FovAxis::X
          : name == "y"       ? FovAxis::Y
          : name == "smaller" ? FovAxis::Smaller
@@ -117,14 +119,14 @@ FovAxis fovAxis(const FrameEntry& entry) {
 
 Matrix4 lookAtOf(const FrameEntry& entry, double aspect) {
   LookAt view;
-  view.eye = entry.at("eye", "3 numbers").numbers<3>();
-  view.target = entry.at("target", "3 numbers, the point looked at").numbers<3>();
-  view.up = entry.at("up", "3 numbers, the direction that is up in the picture").numbers<3>();
+  view.eye = entry.at(Key::Eye, "3 numbers").numbers<3>();
+  view.target = entry.at(Key::Target, "3 numbers, the point looked at").numbers<3>();
+  view.up = entry.at(Key::Up, "3 numbers, the direction that is up in the picture").numbers<3>();
   view.fovDegrees =
-      entry.at("fov", "degrees above 0 and below 180").positive("degrees above 0 and below 180");
-  if (!(view.fovDegrees < 180.0)) entry.at("fov", "").refuse("degrees above 0 and below 180");
+      entry.at(Key::Fov, "degrees above 0 and below 180").positive("degrees above 0 and below 180");
+  if (!(view.fovDegrees < 180.0)) entry.at(Key::Fov, "").refuse("degrees above 0 and below 180");
   view.axis = fovAxis(entry);
-  if (entry.has("aspect")) aspect = entry.at("aspect", "").positive("width by height, above 0");
+  if (entry.has(Key::Aspect)) aspect = entry.at(Key::Aspect, "").positive("width by height, above 0");
   const auto matrix = lookAtMatrix(view, aspect);
   if (!matrix)
     entry.own().refuse("\"eye\" apart from \"target\", and \"up\" not along the line between them");
@@ -134,49 +136,50 @@ Matrix4 lookAtOf(const FrameEntry& entry, double aspect) {
 /// `reading`: how the file's matrices are meant.
 Matrix4 matrixOf(const FrameEntry& entry, const MatrixReading& reading, double aspect) {
   const Entry& own = entry.own();
-  if (own.has("view_projection")) return readAs(reading, own.at("view_projection", "").matrix());
-  if (own.has("eye")) return lookAtOf(entry, aspect);
-  if (!own.has("view"))
+  if (own.has(Key::ViewProjection)) return readAs(reading, own.at(Key::ViewProjection, "").matrix());
+  if (own.has(Key::Eye)) return lookAtOf(entry, aspect);
+  if (!own.has(Key::View))
     own.refuse(
         "\"view_projection\", or \"view\" and \"projection\", or \"eye\", \"target\", \"up\" and \"fov\"");
   const MatrixReading order{"", reading.transposed, false};
-  const Matrix4 view = readAs(order, own.at("view", "").matrix());
+  const Matrix4 view = readAs(order, own.at(Key::View, "").matrix());
   const Matrix4 projection =
-      readAs(order, entry.at("projection", "4 rows of 4 numbers beside \"view\"").matrix());
+      readAs(order, entry.at(Key::Projection, "4 rows of 4 numbers beside \"view\"").matrix());
   return readAs({"", false, reading.yDown}, product(projection, view));
 }
 
 DepthRange rangeOf(const FrameEntry& entry) {
   DepthRange range;
-  range.near = entry.at("near", "a distance above 0").positive("a distance above 0");
-  if (!entry.has("far")) return range;
-  range.far = entry.at("far", "").number();
-  if (!(*range.far > range.near)) entry.at("far", "").refuse("a distance above \"near\"");
+  range.near = entry.at(Key::Near, "a distance above 0").positive("a distance above 0");
+  if (!entry.has(Key::Far)) return range;
+  range.far = entry.at(Key::Far, "").number();
+  if (!(*range.far > range.near)) entry.at(Key::Far, "").refuse("a distance above \"near\"");
   return range;
 }
 
 MatrixReading readingOf(const Entry& file) {
   MatrixReading reading = matrixReadings().front();
-  if (file.has("vectors")) reading.transposed = file.at("vectors", "").choice({"column", "row"}) == "row";
-  if (file.has("ndc_y")) reading.yDown = file.at("ndc_y", "").choice({"up", "down"}) == "down";
+  if (file.has(Key::Vectors))
+    reading.transposed = file.at(Key::Vectors, "").choice({"column", "row"}) == "row";
+  if (file.has(Key::NdcY)) reading.yDown = file.at(Key::NdcY, "").choice({"up", "down"}) == "down";
   return reading;
 }
 
 /// Adds one frame; the camera before it is set where the entry has it.
 void addFrame(CameraFile& cameras, std::map<int, bool>& hasPrevious, const FrameEntry& entry,
               const MatrixReading& reading, double aspect, const std::string& path) {
-  const Entry number = entry.own().at("frame", "the number of the frame");
+  const Entry number = entry.own().at(Key::Frame, "the number of the frame");
   const int frame = number.frame();
   if (cameras.cameras.count(frame) > 0) number.refuse("a frame that no other entry has");
   Camera camera;
   camera.worldToClip = matrixOf(entry, reading, aspect);
-  constexpr char kPrevious[] = "previous_view_projection";
+  constexpr Key kPrevious = Key::PreviousViewProjection;
   hasPrevious[frame] = entry.own().has(kPrevious);
   if (hasPrevious[frame]) camera.worldToClipPrev = readAs(reading, entry.own().at(kPrevious, "").matrix());
-  if (entry.own().has(kJitterKey)) camera.jitterPx = entry.own().at(kJitterKey, "").numbers<2>();
-  requireJitter(path, kJitterKey, frame, camera.jitterPx);
+  if (entry.own().has(Key::JitterPx)) camera.jitterPx = entry.own().at(Key::JitterPx, "").numbers<2>();
+  requireJitter(path, nameOf(Key::JitterPx), frame, camera.jitterPx);
   cameras.cameras[frame] = camera;
-  if (entry.has("near") || entry.has("far")) cameras.ranges[frame] = rangeOf(entry);
+  if (entry.has(Key::Near) || entry.has(Key::Far)) cameras.ranges[frame] = rangeOf(entry);
 }
 
 json parseFile(const std::string& path) {
@@ -192,11 +195,11 @@ json parseFile(const std::string& path) {
 CameraFile readCameraFile(const std::string& path, double aspect) {
   const json document = parseFile(path);
   const Entry file(path, "", document);
-  const Entry frames = file.at("frames", "a list of frames");
+  const Entry frames = file.at(Key::Frames, "a list of frames");
   if (!frames.isList()) frames.refuse("a list of frames");
   const MatrixReading reading = readingOf(file);
   CameraFile result;
-  result.declared = file.has("vectors") || file.has("ndc_y");
+  result.declared = file.has(Key::Vectors) || file.has(Key::NdcY);
   std::map<int, bool> hasPrevious;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const Entry frame = frames.at(i);

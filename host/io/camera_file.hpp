@@ -13,8 +13,6 @@ namespace quell::io {
 
 /// The file of a directory that holds them.
 constexpr char kCyclesCameraFile[] = "camera.json";
-/// Of a frame in it: Camera::jitterPx.
-constexpr char kJitterKey[] = "jitter_px";
 
 struct CameraFile {
   std::map<int, Camera> cameras;  ///< by frame, for the whole picture, as column vectors have them

@@ -71,7 +71,10 @@ std::vector<std::string> describe(const ChannelMap& map) {
     std::vector<std::string> terms;
     for (const std::vector<std::string>& term : found->second.terms) terms.push_back(channelList(term));
     std::string from = fmt::format("{}", fmt::join(terms, " + "));
-    if (found->second.depth != DepthKind::View) from += fmt::format(" ({})", toString(found->second.depth));
+    const NumberKind& kind = found->second.kind;
+    if (kind.depth != DepthKind::View) from += fmt::format(" ({})", toString(kind.depth));
+    if (const std::string motion = toString(kind.motion); !motion.empty())
+      from += fmt::format(" ({})", motion);
     lines.push_back(fmt::format("  {:<12} {}", image.name, from));
   }
   for (const NamedImage& image : namedImages())

@@ -69,7 +69,7 @@ std::optional<Names> findTerm(const Stored& stored, const std::string& prefix, c
 std::optional<ImageChannels> findSource(const Stored& stored, const Names& prefixes,
                                         const ChannelSource& source, int channels) {
   for (const std::string& prefix : prefixes) {
-    ImageChannels found{{}, source.depth};
+    ImageChannels found{{}, source.kind};
     for (const Names& term : source.terms)
       if (auto names = findTerm(stored, prefix, term, channels)) found.terms.push_back(std::move(*names));
     if (found.terms.size() == source.terms.size()) return found;
@@ -91,7 +91,7 @@ SourceTable userSources(const ChannelOptions& options) {
                   {kStage, "--channels",
                    fmt::format("IMAGE=CHANNELS, IMAGE being one of {}", fmt::join(names, ", ")), text});
     }
-    sources[image] = {parseSources(text.substr(equals + 1))};
+    sources[image] = parseSources(image, text.substr(equals + 1));
     for (const ChannelSource& source : sources[image])
       for (const Names& term : source.terms)
         if (term.size() > 1 && int(term.size()) != known->channels)
@@ -132,7 +132,7 @@ void addAlpha(const Stored& stored, ChannelMap& map) {
   std::string name = color->second.terms.front().front();
   name.back() = name.back() == 'r' ? 'a' : 'A';
   for (const auto& [base, file] : stored)
-    if (file == name) map.images["alpha"] = {{{name}}, DepthKind::View};
+    if (file == name) map.images["alpha"] = {{{name}}, {}};
 }
 
 Candidate makeCandidate(const ViewChannels& channels, const std::string& renderer, const std::string& prefix,
@@ -247,7 +247,10 @@ ChannelMap findChannels(const std::string& path, const Names& channels, const Na
   if (layersOf(candidates).size() > 1)
     throwFileError(kStage, path, "one view layer, or --layer NAME",
                    fmt::format("{}", fmt::join(layersOf(candidates), ", ")));
-  return bestOf(candidates).map;
+  const ChannelMap& found = bestOf(candidates).map;
+  for (const auto& [image, sources] : userSources(options))
+    requireImage(path, image, found, channels, options);  // also what would do without, once it is asked for
+  return found;
 }
 
 bool hasFrameChannels(const Names& channels, const Names& views, const ChannelOptions& options) {

@@ -28,7 +28,7 @@ void requireChannelOptions(const ChannelOptions& options);
 /// Channels of an image, as the files name them.
 struct ImageChannels {
   std::vector<std::vector<std::string>> terms;  ///< summed up; of each as many as the image has
-  DepthKind depth = DepthKind::View;
+  NumberKind kind;
 };
 
 /// The images that a sequence's files have.

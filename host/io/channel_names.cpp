@@ -29,7 +29,7 @@ constexpr TableRow kTable[] = {
     {"cycles", "transmission_color", "TransCol|Transmission Color"},
     {"cycles", "roughness", "roughness|Roughness"},
     {"cycles", "emission", "Emit+Env|Emission+Environment|Emit|Env|Emission|Environment"},
-    {"cycles", "motion", "Vector"},
+    {"cycles", "motion", "Vector:y-up"},
     {"cycles", "object_id", "IndexOB|Object Index"},
     {"cycles", "diffuse", "DiffDir+DiffInd|Diffuse Direct+Diffuse Indirect"},
     {"cycles", "glossy", "GlossDir+GlossInd|Glossy Direct+Glossy Indirect"},
@@ -88,8 +88,8 @@ constexpr char kOwnLayout[] = "quell";
 
 std::vector<ChannelSource> ownSourcesOf(const std::string& image) {
   for (const auto& input : kInputs<FrameData>)
-    if (input.hasFiles() && image == input.files.role) return parseSources(input.files.stem);
-  return image == "diffuse" ? parseSources("diffuse_irradiance") : std::vector<ChannelSource>();
+    if (input.hasFiles() && image == input.files.role) return parseSources(image, input.files.stem);
+  return image == "diffuse" ? parseSources(image, "diffuse_irradiance") : std::vector<ChannelSource>();
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -100,11 +100,17 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return pieces;
 }
 
-ChannelSource parseSource(std::string text) {
+constexpr const char* kDepth = factsOf(&FrameData::viewDepth).files.role;
+constexpr const char* kMotion = factsOf(&FrameData::motion).files.role;
+
+ChannelSource parseSource(const std::string& image, std::string text) {
   ChannelSource source;
   const std::string whole = text;
-  if (const std::size_t colon = text.rfind(':'); colon != std::string::npos) {
-    source.depth = parseDepthKind(text.substr(colon + 1));
+  const std::size_t colon = image == kDepth || image == kMotion ? text.rfind(':') : std::string::npos;
+  if (colon != std::string::npos) {
+    const std::string kind = text.substr(colon + 1);
+    if (image == kDepth) source.kind.depth = parseDepthKind(kind);
+    if (image == kMotion) source.kind.motion = parseMotionKind(kind);
     text.resize(colon);
   }
   for (const std::string& term : split(text, '+')) source.terms.push_back(split(term, ','));
@@ -136,9 +142,9 @@ const NamedImage* findNamedImage(const std::string& name) {
   return nullptr;
 }
 
-std::vector<ChannelSource> parseSources(const std::string& text) {
+std::vector<ChannelSource> parseSources(const std::string& image, const std::string& text) {
   std::vector<ChannelSource> sources;
-  for (const std::string& alternative : split(text, '|')) sources.push_back(parseSource(alternative));
+  for (const std::string& alternative : split(text, '|')) sources.push_back(parseSource(image, alternative));
   return sources;
 }
 
@@ -156,7 +162,7 @@ const std::vector<std::string>& rendererNames() {
 std::vector<ChannelSource> sourcesOf(const std::string& renderer, const std::string& image) {
   if (renderer == kOwnLayout) return ownSourcesOf(image);
   for (const TableRow& row : kTable)
-    if (renderer == row.renderer && image == row.image) return parseSources(row.sources);
+    if (renderer == row.renderer && image == row.image) return parseSources(image, row.sources);
   return {};
 }
 

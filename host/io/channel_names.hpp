@@ -4,7 +4,7 @@
 //   NAME            a pass, whose channels end with R G B, X Y Z, ... after a dot or nothing; or one channel
 //   NAME,NAME,NAME  channels by their names, as many as the image has
 //   NAME+NAME       the sum of passes
-//   NAME:KIND       for depth, what its numbers mean (depth_kind.hpp)
+//   NAME:KIND       for depth and motion, what the numbers mean (depth_kind.hpp, motion_kind.hpp)
 // and, in the table alone, alternatives with | between them, the first that a file has.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host/io/depth_kind.hpp"
+#include "host/io/motion_kind.hpp"
 
 namespace quell::io {
 
@@ -27,14 +28,21 @@ const std::vector<NamedImage>& namedImages();
 /// Nothing for an unknown name.
 const NamedImage* findNamedImage(const std::string& name);
 
+/// What the numbers of an image mean where renderers differ.
+struct NumberKind {
+  DepthKind depth = DepthKind::View;
+  MotionKind motion;
+};
+
 /// Channels of one image, or of a renderer's way to name them.
 struct ChannelSource {
   std::vector<std::vector<std::string>> terms;  ///< summed up; one name: a pass or channel, several: channels
-  DepthKind depth = DepthKind::View;
+  NumberKind kind;
 };
 
-/// Alternatives, in order of preference. Throws Error(InvalidArgument) for a text of another form.
-std::vector<ChannelSource> parseSources(const std::string& text);
+/// Alternatives for an image (NamedImage::name), in order of preference. Throws Error(InvalidArgument) for a text of another
+/// form.
+std::vector<ChannelSource> parseSources(const std::string& image, const std::string& text);
 
 /// Names for --renderer, without "auto".
 const std::vector<std::string>& rendererNames();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "host/io/exr_image.hpp"
 #include "host/io/light_remainder.hpp"
 #include "host/io/sequence_files.hpp"
 
@@ -36,24 +35,36 @@ const FrameFiles& CyclesSequence::filesOf(const std::string& stem) const {
   return m_files.withPrefix(stem + "_");
 }
 
-Image CyclesSequence::readImage(const std::string& stem, const char* channels, int frame,
-                                std::vector<FrameWarning>& warnings) const {
-  return readLettersWithin(filesOf(stem).path(frame), channels, m_windows, warnings);
-}
-
 FrameData CyclesSequence::read(int frame) const {
   requireFrame(m_directory, m_frames, frame);
   FrameData data;
   data.number = frame;
   markGap(data, m_frames, filesOf(kColor.stem).path(frame - 1));
-  data.origin = originOf(filesOf(kColor.stem).path(frame), m_windows);
+  OpenFiles files;
+  const ExrFile& color = files.at(filesOf(kColor.stem).path(frame));
+  data.origin = originOf(color, m_windows);
   data.demodulated = m_demodulated;
   for (const ImageSource& source : m_sources)
-    data.*source.image = readImage(source.files.stem, source.files.channels, frame, data.warnings);
+    data.*source.image = readWithin(files.at(filesOf(source.files.stem).path(frame)),
+                                    channelsOfLetters(source.files.channels), m_windows, data.warnings);
   m_cameras.setCamera(data, [&] { return data.positionWorld; });
-  if (m_hasAlpha) data.alpha = readImage(kColor.stem, "A", frame, data.warnings);
+  if (m_hasAlpha) data.alpha = readWithin(color, {"A"}, m_windows, data.warnings);
   if (m_demodulated) keepRemainder(data, Image());
   return data;
+}
+
+void CyclesSequence::requireReadable(const std::vector<int>& frames) const {
+  for (const int frame : frames) {
+    OpenFiles files;
+    originOf(files.whole(filesOf(kColor.stem).path(frame)), m_windows);
+    for (const ImageSource& source : m_sources)
+      requireWithin(files.whole(filesOf(source.files.stem).path(frame)),
+                    channelsOfLetters(source.files.channels), m_windows);
+    for (const ReferenceKind kind : {ReferenceKind::Centre, ReferenceKind::Antialiased})
+      for (const char half : {'a', 'b'})
+        if (const FrameFiles& halves = filesOf(referenceStem(kind, half, kColor.stem)); halves.has(frame))
+          requireWithin(files.whole(halves.path(frame)), channelsOfLetters(kColor.channels), m_windows);
+  }
 }
 
 std::string CyclesSequence::fileOf(int frame, const ImageFiles& files) const {
@@ -75,10 +86,13 @@ bool CyclesSequence::hasReference(int frame, ReferenceKind kind) const {
 
 Reference CyclesSequence::reference(int frame, ReferenceKind kind) const {
   requireReference(*this, frame, kind);
-  const auto stem = [kind](char half) { return referenceStem(kind, half, kColor.stem); };
-  std::vector<FrameWarning> unheard;  // a reference is looked at for figures, not for its frame
-  Reference reference{readImage(stem('a'), kColor.channels, frame, unheard), {}, kind};
-  if (filesOf(stem('b')).has(frame)) reference.b = readImage(stem('b'), kColor.channels, frame, unheard);
+  const auto read = [&](char half) {
+    std::vector<FrameWarning> unheard;  // a reference is looked at for figures, not for its frame
+    const ExrFile file(filesOf(referenceStem(kind, half, kColor.stem)).path(frame));
+    return readWithin(file, channelsOfLetters(kColor.channels), m_windows, unheard);
+  };
+  Reference reference{read('a'), {}, kind};
+  if (filesOf(referenceStem(kind, 'b', kColor.stem)).has(frame)) reference.b = read('b');
   return reference;
 }
 

@@ -36,6 +36,7 @@ class CyclesSequence final : public FrameSequence {
   /// Throws Error(InvalidArgument) for a frame that is not there or an image whose size differs from the
   /// first frame's, Error(FileError) for an unreadable file.
   FrameData read(int frame) const override;
+  void requireReadable(const std::vector<int>& frames) const override;
   std::string fileOf(int frame, const ImageFiles& files) const override;
   bool hasReference(int frame, ReferenceKind kind) const override;
   Reference reference(int frame, ReferenceKind kind) const override;
@@ -44,8 +45,6 @@ class CyclesSequence final : public FrameSequence {
 
  private:
   const FrameFiles& filesOf(const std::string& stem) const;
-  Image readImage(const std::string& stem, const char* channels, int frame,
-                  std::vector<FrameWarning>& warnings) const;
 
   std::string m_directory;
   FrameDirectory m_files;

@@ -64,6 +64,25 @@ class HeaderReader {
     return count;
   }
 
+  bool hasLines(int part) const {
+    exr_storage_t storage = EXR_STORAGE_SCANLINE;
+    check(exr_get_storage(m_context, part, &storage));
+    return storage == EXR_STORAGE_SCANLINE;
+  }
+  /// Throws where lines of a part are not within the bytes of the file.
+  void requireLines(int part, std::int64_t fileBytes) const {
+    const exr_attr_box2i_t window = dataWindow(part);
+    std::int32_t linesEach = 1;
+    check(exr_get_scanlines_per_chunk(m_context, part, &linesEach));
+    for (std::int64_t y = window.min.y; y <= window.max.y; y += std::max(linesEach, 1)) {
+      exr_chunk_info_t chunk{};
+      check(exr_read_scanline_chunk_info(m_context, part, int(y), &chunk));
+      if (chunk.data_offset + chunk.packed_size > std::uint64_t(fileBytes))
+        throw std::runtime_error(fmt::format("a file that ends within line {} of {}", y - window.min.y,
+                                             std::int64_t(window.max.y) - window.min.y + 1));
+    }
+  }
+
  private:
   void check(exr_result_t result) const {
     if (result == EXR_ERR_SUCCESS) return;
@@ -120,6 +139,15 @@ void requirePlausibleHeader(const std::string& path) {
   }
 }
 
+void requireAllLines(const std::string& path) {
+  withExrErrors(path, [&] {
+    const HeaderReader reader(path);
+    const std::int64_t fileBytes = std::int64_t(std::filesystem::file_size(path));
+    for (int part = 0; part < reader.parts(); ++part)
+      if (reader.hasLines(part)) reader.requireLines(part, fileBytes);
+  });
+}
+
 ExrHeader describe(const std::vector<Imf::Header>& headers) {
   ExrHeader result;
   for (const Imf::Header& header : headers) {
@@ -145,7 +173,7 @@ ExrHeader describe(const std::vector<Imf::Header>& headers) {
 }
 
 ExrHeader readExrHeader(const std::string& path) {
-  return withExrFile(path, [](Imf::MultiPartInputFile&, const ExrHeader& header) { return header; });
+  return withExrErrors(path, [&] { return describe(openExr(path)); });
 }
 
 }  // namespace quell::io

@@ -47,6 +47,10 @@ std::string nameInFile(const ExrHeader& header, const ExrPart& part, const std::
 /// short for as many lines as it claims.
 ExrHeader readExrHeader(const std::string& path);
 
+/// Throws Error(FileError) where lines are missing, as in files that are still being written or were cut off, without
+/// decoding any. The header must be plausible; tiles are not looked at.
+void requireAllLines(const std::string& path);
+
 /// The header of a file that is open already, `headers` being those of its parts.
 ExrHeader describe(const std::vector<Imf::Header>& headers);
 

@@ -25,18 +25,6 @@ Image readExr(const std::string& path, const std::vector<std::string>& channels)
 /// As readExr(), but a file without three channels (R G B or X Y Z) is refused with Error(FileError).
 Image readExrRgb(const std::string& path);
 
-/// An image with where it lies.
-struct PlacedImage {
-  Image image;
-  PictureWindows windows;
-};
-
-/// As readExr() with channels, or for no channels as readExrRgb().
-PlacedImage readPlacedExr(const std::string& path, const std::vector<std::string>& channels = {});
-
-/// Throws Error(InvalidArgument) naming `path`, the size expected and the size found, unless they agree.
-void requireSize(const Image& image, int width, int height, const std::string& path);
-
 /// Writes 3 channels as R G B, 2 as R G, or 1 as Y; ZIP compressed, atomically (see atomic_file.hpp). Half:
 /// values beyond the range, Inf included, become +-65504; NaN stays NaN. Float: exact. Uint: rounded to the
 /// nearest whole number in [0, 2^32 - 256], NaN becomes 0; a float in memory is exact up to 2^24.

@@ -15,25 +15,33 @@
 
 namespace quell::io {
 
-/// Opens the file, calls use(Imf::MultiPartInputFile&, const ExrHeader&) and turns whatever OpenEXR throws into
-/// Error(FileError).
+constexpr char kReadExr[] = "read EXR";
+
+/// Calls use() and turns whatever OpenEXR throws into Error(FileError).
 template <typename Use>
-auto withExrFile(const std::string& path, Use use) {
-  constexpr char kStage[] = "read EXR";
-  std::error_code failure;
-  if (!std::filesystem::exists(path, failure))
-    throwFileError(kStage, path, "an OpenEXR image", "no such file");
+auto withExrErrors(const std::string& path, Use use) {
   try {
-    requirePlausibleHeader(path);
-    Imf::MultiPartInputFile file(path.c_str());
-    std::vector<Imf::Header> headers;
-    for (int part = 0; part < file.parts(); ++part) headers.push_back(file.header(part));
-    return use(file, describe(headers));
+    return use();
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    throwFileError(kStage, path, "a complete OpenEXR image", error.what());
+    throwFileError(kReadExr, path, "a complete OpenEXR image", error.what());
   }
+}
+
+/// A file whose header is not implausible. Throws Error(FileError), or std::exception.
+inline Imf::MultiPartInputFile openExr(const std::string& path) {
+  std::error_code failure;
+  if (!std::filesystem::exists(path, failure))
+    throwFileError(kReadExr, path, "an OpenEXR image", "no such file");
+  requirePlausibleHeader(path);
+  return Imf::MultiPartInputFile(path.c_str());
+}
+
+inline ExrHeader describe(const Imf::MultiPartInputFile& file) {
+  std::vector<Imf::Header> headers;
+  for (int part = 0; part < file.parts(); ++part) headers.push_back(file.header(part));
+  return describe(headers);
 }
 
 }  // namespace quell::io

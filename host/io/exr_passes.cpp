@@ -143,7 +143,8 @@ std::string passBeside(const std::vector<std::string>& channels, const std::stri
 
 void writeWithPasses(const std::string& input, const std::string& output,
                      const std::vector<NamedPass>& passes) {
-  withExrFile(input, [&](Imf::MultiPartInputFile& file, const ExrHeader&) {
+  withExrErrors(input, [&] {
+    Imf::MultiPartInputFile file = openExr(input);
     std::vector<Part> parts;
     parts.reserve(std::size_t(file.parts()) + passes.size());  // frame buffers point into them
     for (int i = 0; i < file.parts(); ++i) parts.push_back(readPart(file, i));
@@ -159,7 +160,6 @@ void writeWithPasses(const std::string& input, const std::string& output,
       addPass(single ? parts.front() : parts.back(), pass, !single);
     }
     writeParts(output, parts);
-    return 0;
   });
 }
 

@@ -4,7 +4,6 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "host/io/file_error.hpp"
+#include "host/io/frame_names.hpp"
 #include "host/io/sequence_files.hpp"
 
 namespace quell::io {
@@ -27,58 +27,11 @@ constexpr int kUsualDigits = 4;
 /// Ranges of missing frames that a message lists.
 constexpr int kMostRanges = 4;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-/// Bytes beyond ASCII belong to letters of UTF-8.
-bool isLetterOrDigit(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return c < 0x80 ? char(std::tolower(c)) : char(c); });
-  return text;
-}
-
-/// A file's name around the number of its frame.
-struct NumberedName {
-  std::string prefix, suffix;
-  int frame = 0;
-  int digits = 0;  ///< 0: a name without a number
-};
-
-/// Digits from `begin` to `end`, negative if a sign stands before them that no letter or digit precedes.
-NumberedName splitAt(const std::string& name, std::size_t begin, std::size_t end) {
-  NumberedName split;
-  std::from_chars(name.data() + begin, name.data() + end, split.frame);
-  split.digits = int(end - begin);
-  split.suffix = name.substr(end);
-  const bool negative =
-      begin > 0 && name[begin - 1] == '-' && (begin == 1 || !isLetterOrDigit(name[begin - 2]));
-  if (negative) split.frame = -split.frame;
-  split.prefix = name.substr(0, negative ? begin - 1 : begin);
-  return split;
-}
-
-NumberedName splitName(const std::string& name) {
-  const std::size_t end = name.rfind('.') == std::string::npos ? name.size() : name.rfind('.');
-  std::size_t begin = end;
-  while (begin > 0 && isDigit(name[begin - 1]) && end - begin < kMostFrameDigits) --begin;
-  if (begin == end) return {name.substr(0, end), name.substr(end), 0, 0};
-  return splitAt(name, begin, end);
-}
-
-/// The names of a directory's files.
 std::vector<std::string> listFiles(const std::string& directory) {
-  std::error_code failure;
-  std::vector<std::string> names;
-  const fs::directory_iterator end;
-  for (fs::directory_iterator entry(directory, failure); !failure && entry != end; entry.increment(failure)) {
+  return listEntries(directory, [](const fs::directory_entry& entry) {
     std::error_code dangling;
-    if (entry->is_regular_file(dangling)) names.push_back(entry->path().filename().string());
-  }
-  if (failure) throwFileError(kStage, directory, "a readable directory", failure.message());
-  std::sort(names.begin(), names.end());
-  return names;
+    return entry.is_regular_file(dangling);
+  });
 }
 
 /// Sequences by what their names have in common.
@@ -88,10 +41,9 @@ class Groups {
 
   void add(const std::string& name) {
     const NumberedName split = splitName(name);
-    // Names without a number are one sequence each; no name has a '\0'.
-    const std::string key =
-        split.prefix + (split.digits > 0 ? std::string() : std::string(1, '\0')) + lowerCase(split.suffix);
-    m_groups.try_emplace(key, m_directory, split.prefix, split.suffix)
+    m_groups
+        .try_emplace(keyOf(split.prefix, split.suffix, split.digits > 0), m_directory, split.prefix,
+                     split.suffix)
         .first->second.add(split.frame, name, split.digits);
   }
   std::map<std::string, FrameFiles> take() { return std::move(m_groups); }
@@ -191,6 +143,11 @@ std::string FrameFiles::path(int frame) const {
                                            m_names.empty() ? kUsualDigits : m_digits, m_suffix));
 }
 
+std::string FrameFiles::numberText(int frame) const {
+  const std::string name = fs::path(path(frame)).filename().string();
+  return name.substr(m_prefix.size(), name.size() - m_prefix.size() - m_suffix.size());
+}
+
 std::string FrameFiles::pattern() const {
   const int digits = m_names.empty() ? kUsualDigits : m_digits;
   return joinPath(m_directory, m_prefix + std::string(std::size_t(digits), '#') + m_suffix);
@@ -226,7 +183,7 @@ FrameDirectory::FrameDirectory(std::string path) : m_path(std::move(path)) {
 }
 
 const FrameFiles& FrameDirectory::withPrefix(const std::string& prefix) const {
-  return m_byKey.try_emplace(prefix + kExtension, m_path, prefix, kExtension).first->second;
+  return m_byKey.try_emplace(keyOf(prefix, kExtension, true), m_path, prefix, kExtension).first->second;
 }
 
 std::vector<FrameFiles> FrameDirectory::all() const {

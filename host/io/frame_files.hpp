@@ -1,7 +1,9 @@
 // Files numbered by frame: which file is which frame, however the numbers are padded.
 //
-// The number is the last digits before the extension, at most kMostFrameDigits of them. A '-' in front is its sign where
-// no letter or digit stands before that ("-0001.exr", "color_-0001.exr"), else part of the name ("shot-0001.exr").
+// The number is the last digits before the extension, at most kMostFrameDigits of them (frame_names.hpp); where a name does not end with
+// digits, the last ones that stand by themselves between '.', '_', '-' and blanks ("0001_ALBEDO.exr", "shot.0001.N.exr").
+// A '-' in front is its sign where no letter or digit stands before that ("-0001.exr", "color_-0001.exr"), else part of the
+// name ("shot-0001.exr").
 // Files of equal text around the number are one sequence, the case of the extension apart; order is that of the numbers.
 #pragma once
 
@@ -16,9 +18,6 @@ enum class MissingFrames {
   Refuse,
   Skip,  ///< what is there is read; a frame after a gap has FrameData::afterGap
 };
-
-/// What fits an int.
-constexpr int kMostFrameDigits = 9;
 
 /// With four digits at least: "0007", "-0012".
 std::string paddedFrame(int frame);
@@ -42,6 +41,9 @@ class FrameFiles {
   std::vector<int> frames() const;  ///< ascending
   const std::string& directory() const { return m_directory; }
   const std::string& prefix() const { return m_prefix; }
+  const std::string& suffix() const { return m_suffix; }  ///< with the extension
+  /// The frame's number as its file has it, sign and padding included; empty where it has none.
+  std::string numberText(int frame) const;
   /// Path of the frame's file, or the one that it would have.
   std::string path(int frame) const;
   /// Path with a '#' for each digit, as openSequence() takes it.

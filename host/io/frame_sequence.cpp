@@ -1,11 +1,11 @@
 #include "host/io/frame_sequence.hpp"
 
-#include <cctype>
 #include <filesystem>
 
 #include "host/io/bmfr_sequence.hpp"
 #include "host/io/cycles_sequence.hpp"
 #include "host/io/file_error.hpp"
+#include "host/io/frame_names.hpp"
 #include "host/io/multilayer_sequence.hpp"
 #include "host/io/sequence_files.hpp"
 
@@ -32,11 +32,26 @@ std::unique_ptr<FrameSequence> openFrameFiles(const std::string& name, FrameFile
   return std::make_unique<MultilayerSequence>(name, std::move(passes), options);
 }
 
+/// Folders that hold a pass each, as Blender's File Output nodes make them: Normal/0001.exr.
+std::vector<PassFiles> passFoldersOf(const std::string& directory) {
+  const auto isFolder = [](const std::filesystem::directory_entry& entry) {
+    std::error_code dangling;
+    return entry.is_directory(dangling);
+  };
+  std::vector<PassFiles> passes;
+  for (const std::string& folder : listEntries(directory, isFolder)) {
+    std::vector<FrameFiles> sequences = withoutReferences(FrameDirectory(joinPath(directory, folder)).all());
+    if (sequences.size() == 1) passes.push_back({folder, std::move(sequences.front())});
+  }
+  return passes;
+}
+
 /// Frames that are channels of files, all in one or a file for each pass; nothing where there are no files.
 std::unique_ptr<FrameSequence> openChannels(const std::string& directory, const SequenceOptions& options) {
   FrameFiles multilayer = findMultilayerFiles(directory, options.channels);
   if (!multilayer.empty()) return openFrameFiles(directory, std::move(multilayer), options);
-  std::vector<PassFiles> passes = passFilesOf(FrameDirectory(directory));
+  std::vector<PassFiles> passes = passFilesOf(withoutReferences(FrameDirectory(directory).all()));
+  if (passes.empty()) passes = passFoldersOf(directory);
   if (passes.empty()) return nullptr;
   // One sequence alone lacks passes; a message about its own channels is clearer without its name before them.
   if (passes.size() == 1) return openFrameFiles(directory, std::move(passes.front().files), options);
@@ -72,9 +87,7 @@ std::unique_ptr<FrameSequence> openFiles(const std::string& pattern, FrameFiles 
 }
 
 bool isExr(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".exr";
+  return lowerCase(std::filesystem::path(path).extension().string()) == ".exr";
 }
 
 }  // namespace

@@ -66,6 +66,9 @@ class FrameSequence {
   virtual int height() const = 0;               ///< pixels, >= 1
   virtual std::vector<int> frames() const = 0;  ///< frame numbers present, ascending
   virtual FrameData read(int frame) const = 0;  ///< throws Error(FileError | InvalidArgument)
+  /// Looks into the headers of all files of these frames, so that what is unlike the first frame is known before
+  /// anything is made of the others. Throws what read() throws of windows, channels and headers.
+  virtual void requireReadable(const std::vector<int>& /*frames*/) const {}
   /// The file that an image of a frame comes from, for messages.
   virtual std::string fileOf(int /*frame*/, const ImageFiles& /*files*/) const { return name(); }
 

@@ -27,39 +27,48 @@ constexpr char kCycles[] = "cycles";
 constexpr const char* kPosition = factsOf(&FrameData::positionWorld).files.role;
 constexpr const char* kNormal = factsOf(&FrameData::normalWorld).files.role;
 constexpr const char* kDepth = factsOf(&FrameData::viewDepth).files.role;
+constexpr const char* kMotion = factsOf(&FrameData::motion).files.role;
 constexpr char kAlpha[] = "alpha";
 constexpr char kTransmission[] = "transmission_color";
 
-/// Blender's y points up, and its background has no motion, whatever the camera does: better no history there.
-void toContract(Image& motion, const Image& normal) {
+/// Blender's background has no motion, whatever the camera does: better no history there.
+void withoutBackground(Image& motion, const Image& normal) {
   for (std::size_t pixel = 0; pixel < normal.pixels.size() / 3; ++pixel) {
     const float* n = &normal.pixels[3 * pixel];
-    const bool background = n[0] == 0.0f && n[1] == 0.0f && n[2] == 0.0f;
-    float& y = motion.pixels[2 * pixel + 1];
-    y = background ? std::numeric_limits<float>::quiet_NaN() : -y;
+    if (n[0] == 0.0f && n[1] == 0.0f && n[2] == 0.0f)
+      motion.pixels[2 * pixel + 1] = std::numeric_limits<float>::quiet_NaN();
+  }
+}
+
+/// Whether a file has channels of color, normal, and position or depth; nothing where it cannot be read.
+std::optional<bool> hasPasses(const std::string& path, const ChannelOptions& options) {
+  try {
+    const ExrHeader header = readExrHeader(path);
+    return hasFrameChannels(header.channels, header.views, options);
+  } catch (const Error&) {
+    return std::nullopt;
   }
 }
 
 }  // namespace
 
-bool isMultilayerFile(const std::string& path, const ChannelOptions& options) {
-  std::error_code failure;
-  if (!fs::is_regular_file(path, failure)) return false;
-  try {
-    const ExrHeader header = readExrHeader(path);
-    return hasFrameChannels(header.channels, header.views, options);
-  } catch (const Error&) {
-    return false;
-  }
+std::vector<FrameFiles> withoutReferences(std::vector<FrameFiles> sequences) {
+  const auto first = std::stable_partition(sequences.begin(), sequences.end(), [](const FrameFiles& files) {
+    return !isReferenceName(files.prefix());
+  });
+  if (first != sequences.begin()) sequences.erase(first, sequences.end());
+  return sequences;
 }
 
 FrameFiles findMultilayerFiles(const std::string& directory, const ChannelOptions& options) {
   std::vector<FrameFiles> found;
-  for (FrameFiles& files : FrameDirectory(directory).all()) {
+  for (FrameFiles& files : withoutReferences(FrameDirectory(directory).all())) {
     const std::vector<int> frames = files.frames();
-    if (std::any_of(frames.begin(), frames.end(),
-                    [&](int frame) { return isMultilayerFile(files.path(frame), options); }))
-      found.push_back(std::move(files));
+    // The first whose header can be read speaks for all.
+    std::optional<bool> multilayer;
+    for (std::size_t i = 0; i < frames.size() && !multilayer; ++i)
+      multilayer = hasPasses(files.path(frames[i]), options);
+    if (multilayer.value_or(false)) found.push_back(std::move(files));
   }
   return found.empty() ? FrameFiles() : requireOneSequence(directory, found);
 }
@@ -75,8 +84,11 @@ MultilayerSequence::MultilayerSequence(std::string name, std::vector<PassFiles> 
 }
 
 void MultilayerSequence::openCameras(const std::string& directory) {
-  if (!hasFile(directory.empty() ? "." : directory, kCyclesCameraFile)) return;
-  m_cameras = DeclaredCameras(joinPath(directory, kCyclesCameraFile), m_files.windows(), m_files.frames());
+  // Beside the folders where each pass has one.
+  for (const std::string& place : {directory.empty() ? std::string(".") : directory, m_name}) {
+    if (!m_cameras.empty() || !hasFile(place, kCyclesCameraFile)) continue;
+    m_cameras = DeclaredCameras(joinPath(place, kCyclesCameraFile), m_files.windows(), m_files.frames());
+  }
 }
 
 void MultilayerSequence::requireImages() const {
@@ -89,22 +101,25 @@ void MultilayerSequence::requireImages() const {
   for (const char* image : {kPosition, kDepth}) m_files.require(image, ", or camera.json beside the files");
   if (!depthShowsCamera())
     throwFileError(kStage, m_name, "camera.json beside the files, or depth along the view axis or along rays",
-                   fmt::format("depth of the kind {}", toString(m_files.depthKind())));
+                   fmt::format("depth of the kind {}", toString(depthKind())));
 }
 
 Image MultilayerSequence::readOne(int frame, const char* image) const {
   FrameData unwatched;  // warnings are those of reading the frame itself
   unwatched.number = frame;
-  return m_files.read(unwatched, image);
+  OpenFiles files;
+  return m_files.read(files, unwatched, image);
 }
 
 bool MultilayerSequence::depthShowsCamera() const {
-  return m_files.depthKind() == DepthKind::View || m_files.depthKind() == DepthKind::Ray;
+  return depthKind() == DepthKind::View || depthKind() == DepthKind::Ray;
 }
+
+DepthKind MultilayerSequence::depthKind() const { return m_files.kindOf(kDepth).depth; }
 
 Image MultilayerSequence::viewDepth(int frame, const Image& positions) const {
   Image depth = readOne(frame, kDepth);
-  if (m_files.depthKind() == DepthKind::View) return depth;
+  if (depthKind() == DepthKind::View) return depth;
   auto view = viewDepthFromRays(positions, depth);
   return view ? std::move(*view) : Image(depth.width, depth.height, 1, kNoSurfaceDepth);
 }
@@ -163,9 +178,9 @@ void MultilayerSequence::setCamera(FrameData& data) const {
                                ", and so do others like it; camera.json beside the files would tell"});
 }
 
-Image MultilayerSequence::readPositions(FrameData& data) const {
-  if (m_files.has(kPosition)) return m_files.read(data, kPosition);
-  const Image depth = viewDepthOf(m_files.read(data, kDepth), m_files.depthKind(),
+Image MultilayerSequence::readPositions(OpenFiles& files, FrameData& data) const {
+  if (m_files.has(kPosition)) return m_files.read(files, data, kPosition);
+  const Image depth = viewDepthOf(m_files.read(files, data, kDepth), depthKind(),
                                   {data.camera.worldToClip, data.camera.jitterPx,
                                    m_cameras.empty() ? std::nullopt : m_cameras.rangeOf(data.number)},
                                   m_files.fileOf(data.number, kDepth));
@@ -176,25 +191,32 @@ Image MultilayerSequence::readPositions(FrameData& data) const {
   return std::move(*position);
 }
 
+void MultilayerSequence::readMotion(FrameData& data) const {
+  const PixelWindow& picture = m_files.windows().display;
+  toContract(data.motion, m_files.kindOf(kMotion).motion, picture.width, picture.height);
+  if (m_files.map().renderer == kCycles) withoutBackground(data.motion, data.normalWorld);
+}
+
 FrameData MultilayerSequence::read(int frame) const {
   requireFrame(m_name, m_files.frames(), frame);
   FrameData data;
   data.number = frame;
   markGap(data, m_files.frames(), m_files.fileOf(frame - 1));
-  data.origin = m_files.origin(frame);
+  OpenFiles files;
+  data.origin = m_files.origin(files, frame);
   setCamera(data);
   data.demodulated = m_signals == 2;
   for (const ImageSource& source : imageSources(m_signals)) {
     if (source.image == &FrameData::positionWorld) {
-      data.positionWorld = readPositions(data);
+      data.positionWorld = readPositions(files, data);
     } else if (m_files.has(source.files.role)) {
-      data.*source.image = m_files.read(data, source.files.role);
+      data.*source.image = m_files.read(files, data, source.files.role);
     }
   }
-  if (m_files.has(kAlpha)) data.alpha = m_files.read(data, kAlpha);
-  if (!data.motion.empty() && m_files.map().renderer == kCycles) toContract(data.motion, data.normalWorld);
+  if (m_files.has(kAlpha)) data.alpha = m_files.read(files, data, kAlpha);
+  if (!data.motion.empty()) readMotion(data);
   if (m_signals == 2)
-    keepRemainder(data, m_files.has(kTransmission) ? m_files.read(data, kTransmission) : Image());
+    keepRemainder(data, m_files.has(kTransmission) ? m_files.read(files, data, kTransmission) : Image());
   return data;
 }
 
@@ -202,11 +224,20 @@ std::string MultilayerSequence::fileOf(int frame, const ImageFiles& files) const
   return m_files.fileOf(frame, files.role);
 }
 
-bool MultilayerSequence::hasReference(int /*frame*/, ReferenceKind /*kind*/) const { return false; }
+void MultilayerSequence::requireReadable(const std::vector<int>& frames) const {
+  for (const int frame : frames) m_files.requireReadable(frame);
+}
+
+bool MultilayerSequence::hasReference(int frame, ReferenceKind kind) const {
+  return !m_files.referenceFile(frame, kind, 'a').empty();
+}
 
 Reference MultilayerSequence::reference(int frame, ReferenceKind kind) const {
   requireReference(*this, frame, kind);
-  return {};
+  Reference reference{m_files.readReference(m_files.referenceFile(frame, kind, 'a')), {}, kind};
+  if (const std::string other = m_files.referenceFile(frame, kind, 'b'); !other.empty())
+    reference.b = m_files.readReference(other);
+  return reference;
 }
 
 }  // namespace quell::io

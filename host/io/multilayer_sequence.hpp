@@ -7,8 +7,8 @@
 //
 // The camera comes from camera.json beside the files (camera_file.hpp), whose frame numbers are those of the file names, or
 // from the headers of the files (exr_camera.hpp). Without, it follows from position and depth: each is a linear function
-// of the other, up to the pixel; distances along rays do as well (ray_depth.hpp). Motion of Cycles is turned to that of the
-// contract; that of others is taken as it is. Alpha of the colour is kept beside the frame.
+// of the other, up to the pixel; distances along rays do as well (ray_depth.hpp). Motion is turned to that of the contract
+// (motion_kind.hpp). Alpha of the colour is kept beside the frame.
 #pragma once
 
 #include <map>
@@ -22,8 +22,8 @@
 
 namespace quell::io {
 
-/// Whether the file is there and has channels of color, normal, and position or depth.
-bool isMultilayerFile(const std::string& path, const ChannelOptions& options = {});
+/// Those that are no references (reference.hpp), unless there are no others.
+std::vector<FrameFiles> withoutReferences(std::vector<FrameFiles> sequences);
 
 /// The multilayer files of a directory; empty where there are none. Throws Error(FileError) naming both where there are
 /// two sequences.
@@ -43,6 +43,7 @@ class MultilayerSequence final : public FrameSequence {
   /// unreadable file. Where no camera can be found (all surfaces in one plane, or none at all), the frame has that of the
   /// last one before that has one, else standInCamera(), and a warning.
   FrameData read(int frame) const override;
+  void requireReadable(const std::vector<int>& frames) const override;
   std::string fileOf(int frame, const ImageFiles& files) const override;
   std::vector<std::string> describeChannels() const override { return describe(m_files.map()); }
   bool hasReference(int frame, ReferenceKind kind) const override;
@@ -52,7 +53,9 @@ class MultilayerSequence final : public FrameSequence {
   void openCameras(const std::string& directory);
   void requireImages() const;
   Image readOne(int frame, const char* image) const;
-  Image readPositions(FrameData& data) const;
+  Image readPositions(OpenFiles& files, FrameData& data) const;
+  void readMotion(FrameData& data) const;
+  DepthKind depthKind() const;
   bool depthShowsCamera() const;  ///< its kind, beside positions
   /// For cameras that follow from it.
   Image viewDepth(int frame, const Image& positions) const;

@@ -35,6 +35,13 @@ std::string referenceStem(ReferenceKind kind, char half, const std::string& stem
   return fmt::format("{}_{}_{}", factsOf(kind).filePrefix, half, stem);
 }
 
+bool isReferenceName(const std::string& name) {
+  for (const ReferenceKind kind : {ReferenceKind::Centre, ReferenceKind::Antialiased})
+    for (const char half : {'a', 'b'})
+      if (name.rfind(referenceStem(kind, half, ""), 0) == 0) return true;
+  return false;
+}
+
 void requireReference(const FrameSequence& sequence, int frame, ReferenceKind kind) {
   if (sequence.hasReference(frame, kind)) return;
   throw Error(ErrorCode::InvalidArgument,

@@ -23,6 +23,9 @@ const char* toString(ReferenceKind kind);
 /// example ref_aa_b_color.
 std::string referenceStem(ReferenceKind kind, char half, const std::string& stem);
 
+/// Whether a file of this name is one.
+bool isReferenceName(const std::string& name);
+
 /// Two independent converged renderings of one frame (linear, 3 channels). Their mean is the reference.
 /// With one half only, `b` is empty.
 struct Reference {

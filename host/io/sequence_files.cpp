@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <quell/camera.hpp>
 
-#include "host/io/exr_image.hpp"
 #include "host/io/file_error.hpp"
 
 namespace quell::io {
@@ -32,6 +31,18 @@ constexpr char kStage[] = "open sequence";
 bool hasFile(const std::string& directory, const std::string& name) {
   std::error_code failure;
   return fs::is_regular_file(fs::path(directory) / name, failure);
+}
+
+std::vector<std::string> listEntries(const std::string& directory,
+                                     const std::function<bool(const fs::directory_entry& entry)>& wanted) {
+  std::error_code failure;
+  std::vector<std::string> names;
+  const fs::directory_iterator end;
+  for (fs::directory_iterator entry(directory, failure); !failure && entry != end; entry.increment(failure))
+    if (wanted(*entry)) names.push_back(entry->path().filename().string());
+  if (failure) throwFileError(kStage, directory, "a readable directory", failure.message());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::string joinPath(const std::string& directory, const std::string& name) {
@@ -89,18 +100,25 @@ std::array<double, 2> requireJitter(const std::string& path, const char* name, i
   return jitterPx;
 }
 
-Image readWithin(const std::string& path, const std::vector<std::string>& channels,
-                 const PictureWindows& picture, std::vector<FrameWarning>& warnings) {
-  PlacedImage read = readPlacedExr(path, channels);
+void requireWithin(const ExrFile& file, const std::vector<std::string>& channels,
+                   const PictureWindows& picture) {
+  const PictureWindows windows = file.windowsOf(channels);
+  if (windows.data == picture.data) return;
+  if (windows.display != picture.display || intersection(windows.data, picture.data).width == 0)
+    refuseWindows(file.path(), windows, picture);
+}
+
+Image readWithin(const ExrFile& file, const std::vector<std::string>& channels, const PictureWindows& picture,
+                 std::vector<FrameWarning>& warnings) {
+  requireWithin(file, channels, picture);
+  PlacedImage read = file.read(channels);
   const PixelWindow &data = read.windows.data, &wanted = picture.data;
   if (data == wanted) return std::move(read.image);
   const PixelWindow common = intersection(data, wanted);
-  if (read.windows.display != picture.display || common.width == 0)
-    refuseWindows(path, read.windows, picture);
   const std::int64_t outside =
       std::int64_t(wanted.width) * wanted.height - std::int64_t(common.width) * common.height;
   if (outside > 0)
-    warnings.push_back({FrameWarning::Kind::Windows, path, "a data window of " + toString(wanted),
+    warnings.push_back({FrameWarning::Kind::Windows, file.path(), "a data window of " + toString(wanted),
                         toString(data),
                         fmt::format("goes on with zeros, which are background, in {} pixels; files without "
                                     "cropping (autocrop, regions) would have them",
@@ -108,12 +126,11 @@ Image readWithin(const std::string& path, const std::vector<std::string>& channe
   return placed(read.image, data, wanted);
 }
 
-Image readLettersWithin(const std::string& path, const std::string& letters, const PictureWindows& picture,
-                        std::vector<FrameWarning>& warnings) {
+std::vector<std::string> channelsOfLetters(const std::string& letters) {
   std::vector<std::string> channels;
   if (letters != "RGB")
     for (const char letter : letters) channels.emplace_back(1, letter);
-  return readWithin(path, channels, picture, warnings);
+  return channels;
 }
 
 void requireWindows(const std::string& path, const PictureWindows& windows, const PictureWindows& expected) {
@@ -121,10 +138,9 @@ void requireWindows(const std::string& path, const PictureWindows& windows, cons
     refuseWindows(path, windows, expected);
 }
 
-ExrOrigin originOf(const std::string& path, const PictureWindows& expected) {
-  const ExrHeader header = readExrHeader(path);
-  requireWindows(path, header.windows, expected);
-  return {header.windows, header.attributes};
+ExrOrigin originOf(const ExrFile& file, const PictureWindows& expected) {
+  requireWindows(file.path(), file.header().windows, expected);
+  return {file.header().windows, file.header().attributes};
 }
 
 }  // namespace quell::io

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "host/io/exr_file.hpp"
 #include "host/io/frame_files.hpp"
 #include "host/io/frame_sequence.hpp"
 #include "host/io/image.hpp"
@@ -13,6 +16,11 @@ namespace quell::io {
 
 /// Whether `name` exists in `directory` as something that can be opened as a file.
 bool hasFile(const std::string& directory, const std::string& name);
+
+/// Names of the entries of a directory that are `wanted`, sorted. Throws Error(FileError): it cannot be listed.
+std::vector<std::string> listEntries(
+    const std::string& directory,
+    const std::function<bool(const std::filesystem::directory_entry& entry)>& wanted);
 
 /// `directory` and `name` joined.
 std::string joinPath(const std::string& directory, const std::string& name);
@@ -37,17 +45,19 @@ void requireFrame(const std::string& directory, const std::vector<int>& frames, 
 std::array<double, 2> requireJitter(const std::string& path, const char* name, int frame,
                                     std::array<double, 2> jitterPx);
 
-/// Reads channels of these names from an OpenEXR file of the picture whose windows are given; pixels that lie elsewhere
+/// Throws what readWithin() throws for the windows and the channels of a file, but looks at no pixels.
+void requireWithin(const ExrFile& file, const std::vector<std::string>& channels,
+                   const PictureWindows& picture);
+/// Reads channels as ExrFile::read() from a file of the picture whose windows are given; pixels that lie elsewhere
 /// than its data window are placed by window. What the file does not cover is 0, with a warning.
 /// Throws Error(FileError), or Error(InvalidArgument) naming the file: another display window, or no pixel in common.
-Image readWithin(const std::string& path, const std::vector<std::string>& channels,
-                 const PictureWindows& picture, std::vector<FrameWarning>& warnings);
-/// The same for channels of one letter each, as in ImageFiles; "RGB" takes X Y Z as well.
-Image readLettersWithin(const std::string& path, const std::string& letters, const PictureWindows& picture,
-                        std::vector<FrameWarning>& warnings);
+Image readWithin(const ExrFile& file, const std::vector<std::string>& channels, const PictureWindows& picture,
+                 std::vector<FrameWarning>& warnings);
+/// Names of channels of one letter each, as in ImageFiles; none for "RGB", in whose place X Y Z will do.
+std::vector<std::string> channelsOfLetters(const std::string& letters);
 /// Throws Error(InvalidArgument) naming the file unless its picture has these windows.
 void requireWindows(const std::string& path, const PictureWindows& windows, const PictureWindows& expected);
-/// Of the file of the colour, whose windows must be these. Throws as requireWindows(), and Error(FileError).
-ExrOrigin originOf(const std::string& path, const PictureWindows& expected);
+/// Of the file of the colour, whose windows must be these. Throws as requireWindows().
+ExrOrigin originOf(const ExrFile& file, const PictureWindows& expected);
 
 }  // namespace quell::io

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/io/atomic_file.hpp"
+#include "host/io/camera_keys.hpp"
 #include "host/io/cycles_sequence.hpp"
 #include "host/io/exr_image.hpp"
 #include "host/io/file_error.hpp"
@@ -109,6 +110,7 @@ std::string SequenceWriter::path(const std::string& stem, int frame) const {
 }
 
 void SequenceWriter::writeCameras(const SceneEntry& scene, int frameCount) const {
+  using Key = io::CameraKey;
   json frames = json::array();
   const auto matrixAt = [&](int frame) {
     return rowsOf(worldToClip(makeScene(scene, frame).camera, m_settings.size.width, m_settings.size.height));
@@ -116,13 +118,15 @@ void SequenceWriter::writeCameras(const SceneEntry& scene, int frameCount) const
   json previous = matrixAt(-1);
   for (int frame = 0; frame < frameCount; ++frame) {
     json current = matrixAt(frame);
-    frames.push_back(
-        {{"frame", frame}, {"view_projection", current}, {"previous_view_projection", std::move(previous)}});
-    if (m_settings.jitter) frames.back()[io::kJitterKey] = io::jitterPxOf(frame);
+    frames.push_back({{nameOf(Key::Frame), frame},
+                      {nameOf(Key::ViewProjection), current},
+                      {nameOf(Key::PreviousViewProjection), std::move(previous)}});
+    if (m_settings.jitter) frames.back()[nameOf(Key::JitterPx)] = io::jitterPxOf(frame);
     previous = std::move(current);
   }
-  const json document = {
-      {"width", m_settings.size.width}, {"height", m_settings.size.height}, {"frames", std::move(frames)}};
+  const json document = {{"width", m_settings.size.width},
+                         {"height", m_settings.size.height},
+                         {nameOf(Key::Frames), std::move(frames)}};
   io::writeTextFile(joined(m_directory, io::kCyclesCameraFile), document.dump(1) + "\n");
 }
 

@@ -148,8 +148,12 @@ std::vector<FeatureProduct> parseDifferences(const std::string& a, const std::st
 std::vector<FeatureProduct> parseProducts(const std::string& entry) {
   const std::vector<std::string> factors = split(entry, '*');
   std::vector<FeatureProduct> products = {{}};
+  std::size_t length = 0;
   for (std::size_t i = 0; i < factors.size(); ++i) {
     const Power power = parsePower(factors[i], entry);
+    length += power.exponent;
+    // Before they are multiplied out: every group would triple what there is.
+    if (length > kMostFactors) refuseFeatures("products of at most three factors", entry);
     const bool again = i > 0 && factors[i] == factors[i - 1] && power.variables.size() > 1;
     std::vector<FeatureProduct> longer;
     for (const FeatureProduct& product : products) {
@@ -161,11 +165,9 @@ std::vector<FeatureProduct> parseProducts(const std::string& entry) {
     }
     products = longer;
   }
-  for (FeatureProduct& product : products) {
-    if (product.size() > kMostFactors) refuseFeatures("products of at most three factors", entry);
+  for (FeatureProduct& product : products)
     std::stable_sort(product.begin(), product.end(),
                      [](const FeatureVariable& x, const FeatureVariable& y) { return x.order < y.order; });
-  }
   return products;
 }
 

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "host/check/view.hpp"
+#include "host/io/motion_kind.hpp"
 #include "tests/check/plane_frames.hpp"
 #include "tests/support/check_kinds.hpp"
 
@@ -49,6 +50,16 @@ TEST_CASE("motion of another sign, unit or scale is named", "[check]") {
     INFO(is);
     CHECK(kindsOf(result, Severity::Doubtful).find("motion-convention ") == 0);
     CHECK_THAT(gotOf(result), Catch::Contains(is));
+    // The kind that the cure names for files makes it right.
+    const std::string cure = result.findings[0].finding.cure, before = "--channels motion=NAME:";
+    const std::size_t at = cure.find(before);
+    if (at == std::string::npos) return;
+    const std::string kind =
+        cure.substr(at + before.size(), cure.find(' ', at + before.size()) - at - before.size());
+    io::FrameData then = moving(2, x, y), now = moving(3, x, y);
+    for (io::FrameData* frame : {&then, &now})
+      io::toContract(frame->motion, io::parseMotionKind(kind), kPlaneWidth, kPlaneHeight);
+    CHECK(kindsOf(checked(then, now)) == "");
   };
   told(-1.0f, -1.0f, "current minus previous");
   told(1.0f / w, 1.0f / h, "shares of the image");

@@ -93,9 +93,9 @@ TEST_CASE("the sweep of F_beta runs on the first directory with roughness", "[cl
   for (int frame = 4; frame < 16; ++frame)
     io::writeExr(fmt::format("{}/roughness_{:04}.exr", rough, frame),
                  io::Image(albedo.width, albedo.height, 1));
-  CHECK(cli::directoryWithRoughness({kData, rough}, 1) == rough);
-  CHECK(cli::directoryWithRoughness({rough, kData}, 1) == rough);
-  CHECK(cli::directoryWithRoughness({kData}, 1) == kData);
+  CHECK(cli::directoryWithRoughness({kData, rough}) == rough);
+  CHECK(cli::directoryWithRoughness({rough, kData}) == rough);
+  CHECK(cli::directoryWithRoughness({kData}) == kData);
 }
 
 }  // namespace quell::tests

@@ -39,8 +39,7 @@ TEST_CASE("broken images of separate files are named", "[broken]") {
           {"shading_normal_0001.exr"}}});
 }
 
-TEST_CASE("separate files of other channels, sizes and frames are named", "[broken]") {
-  const auto nothing = [](const Input&) {};
+TEST_CASE("separate files of other channels and sizes are named", "[broken]") {
   check("separate", writeSeparate,
         {{"normals of another size",
           [](const Input& i) {
@@ -67,8 +66,41 @@ TEST_CASE("separate files of other channels, sizes and frames are named", "[brok
           {"world_position_0001.exr"}},
          {"normals a folder",
           [](const Input& i) { i.asFolder("shading_normal_0001.exr"); },
-          {"shading_normal_0001.exr"}},
-         {"a frame missing",
+          {"shading_normal_0001.exr"}}});
+}
+
+TEST_CASE("what is wrong with later frames and references is told before anything is written", "[broken]") {
+  check("separate", writeSeparate,
+        {{"the last frame of another size",
+          [](const Input& i) {
+            i.image("color_0002.exr", {"R", "G", "B"}, 7);
+          },
+          {"color_0002.exr", "6x4", "7x4"}},
+         {"the last frame cut in half",
+          [](const Input& i) { i.cut("color_0002.exr", 0.5); },
+          {"color_0002.exr"}},
+         {"a reference cut in half",
+          [](const Input& i) {
+            i.image("ref_a_color_0002.exr", {"R", "G", "B"});
+            i.cut("ref_a_color_0002.exr", 0.6);
+          },
+          {"ref_a_color_0002.exr"}},
+         {"a reference of another size",
+          [](const Input& i) {
+            i.image("ref_b_color_0002.exr", {"R", "G", "B"}, 5);
+          },
+          {"ref_b_color_0002.exr", "6x4", "5x4"}},
+         {"the last normals of other channels",
+          [](const Input& i) {
+            i.image("shading_normal_0002.exr", {"U", "V", "W"});
+          },
+          {"shading_normal_0002.exr", "U V W"}}});
+}
+
+TEST_CASE("frames, devices and settings that are not there are named", "[broken]") {
+  const auto nothing = [](const Input&) {};
+  check("separate", writeSeparate,
+        {{"a frame missing",
           [](const Input& i) {
             i.image("color_0004.exr", {"R", "G", "B"});
           },
@@ -155,6 +187,13 @@ TEST_CASE("broken multilayer files are named", "[broken]") {
             i.write("0002.exr", "");
           },
           {"in"}},
+         {"the last frame cut", [](const Input& i) { i.cut("0002.exr", 0.9); }, {"0002.exr"}},
+         {"the last frame without a pass",
+          [](const Input& i) { i.multilayer("0002.exr", passesWithout("Normal")); },
+          {"0002.exr", "Normal.X"}},
+         {"the last frame of another layer",
+          [](const Input& i) { i.multilayer("0002.exr", somePasses(), "Other"); },
+          {"0002.exr", "View Layer.Combined.R"}},
          {"two shots",
           [](const Input& i) { i.multilayer("b_0001.exr", somePasses()); },
           {"b_####.exr", "####.exr"}},
@@ -176,6 +215,26 @@ TEST_CASE("broken multilayer files are named", "[broken]") {
          {"a camera.json of other frames",
           [](const Input& i) { i.write("camera.json", "{\"frames\": []}"); },
           {"camera.json", "frame 1"}}});
+}
+
+TEST_CASE("all commands that read sequences take channels, layers and gaps", "[broken]") {
+  const TemporaryDirectory directory;
+  const Input input{directory.file("in")};
+  fs::create_directory(input.folder);
+  writeMultilayer(input);
+  const std::vector<std::vector<std::string>> commands = {{"denoise", "--input"},
+                                                          {"bench", "--input"},
+                                                          {"tune", "--vary", "iterations=4", "--input"},
+                                                          {"select-features", "--input"},
+                                                          {"check"}};
+  for (std::vector<std::string> arguments : commands) {
+    INFO(arguments.front());
+    const int code = arguments.front() == "check" ? 2 : 1;
+    arguments.insert(arguments.end(), {input.folder, "--missing", "skip", "--renderer", "cycles",
+                                       "--channels", "albedo=Nowhere", "--layer", "No such layer"});
+    CHECK_THAT(errorStreamOf(arguments, code, directory.file("stderr")),
+               Catch::Contains("No such layer") && Catch::Contains("View Layer"));
+  }
 }
 
 TEST_CASE("odd names of folders are no fault, and outputs that cannot be are named", "[broken]") {

@@ -79,6 +79,10 @@ TEST_CASE("lists that make no sense are refused", "[core]") {
   checkRefusedList("wx*ny,ny*wx", "every feature once", "wx*ny twice");
   checkRefusedList("n,w,n2,w2,n3,w3", "at most 16 features", "19");
   checkRefusedList("wx2*wy2", "at most three factors", "wx2*wy2");
+  // Multiplied out it would have 3^21 terms.
+  std::string endless = "w";
+  for (int i = 0; i < 10; ++i) endless += "*n*w";
+  checkRefusedList(endless, "at most three factors", endless);
   checkRefusedList("sqrt(gx)", "roots of anything but gx and gy", "sqrt(gx)");
   checkRefusedList("wx-nx", "two components of n or of w", "wx-nx");
   checkRefusedList("wx-wx", "two different components", "wx-wx");

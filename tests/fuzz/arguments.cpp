@@ -4,13 +4,19 @@
 #include "host/io/channel_names.hpp"
 #include "tests/fuzz/reader.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-  using namespace quell;
+namespace quell::fuzz {
+namespace {
+
+void read(const std::uint8_t* bytes, std::size_t count) {
   const std::string text(reinterpret_cast<const char*>(bytes), count);
-  fuzz::attempt([&] { io::parseSources(text); });
+  for (const char* image : {"color", "depth", "motion"}) attempt([&] { io::parseSources(image, text); });
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) return 0;
+  if (equals == std::string::npos) return;
   for (const char* method : {"quell", "bmfr", "svgf", "atrous"})
-    fuzz::attempt([&] { Settings(method).set(text.substr(0, equals), text.substr(equals + 1)); });
-  return 0;
+    attempt([&] { Settings(method).set(text.substr(0, equals), text.substr(equals + 1)); });
 }
+
+const Reader kReader("arguments", read);
+
+}  // namespace
+}  // namespace quell::fuzz

@@ -3,11 +3,12 @@
 #include "host/core/tuning.hpp"
 #include "tests/fuzz/reader.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-  using namespace quell;
+namespace quell::fuzz {
+namespace {
+
+void read(const std::uint8_t* bytes, std::size_t count) {
   namespace fs = std::filesystem;
-  const std::string directory =
-      fs::path(fuzz::asFile(bytes, count, "entry")).parent_path().string() + "/cache";
+  const std::string directory = (directoryOfFiles() / "cache").string();
   const DiskCache disk(directory);
   // The text of a tuning within an intact entry, then an entry that is these bytes.
   writeTuning(disk, "device", {});
@@ -16,7 +17,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   disk.write("quell tuning 1\ndevice", DiskCache::Bytes(bytes, bytes + count));
   readTuning(disk, "device");
   if (!entry.empty())
-    fs::copy_file(fuzz::asFile(bytes, count, "entry"), entry, fs::copy_options::overwrite_existing);
+    fs::copy_file(asFile(bytes, count, "entry"), entry, fs::copy_options::overwrite_existing);
   readTuning(disk, "device");
-  return 0;
 }
+
+const Reader kReader("cache", read);
+
+}  // namespace
+}  // namespace quell::fuzz

@@ -3,9 +3,15 @@
 
 #include "tests/fuzz/reader.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-  using namespace quell;
-  const std::string path = fuzz::asFile(bytes, count, "camera.json");
-  fuzz::attempt([&] { io::readCameraFile(path, 16.0 / 9.0); });
-  return 0;
+namespace quell::fuzz {
+namespace {
+
+void read(const std::uint8_t* bytes, std::size_t count) {
+  const std::string path = asFile(bytes, count, "camera.json");
+  attempt([&] { io::readCameraFile(path, 16.0 / 9.0); });
 }
+
+const Reader kReader("camera_file", read);
+
+}  // namespace
+}  // namespace quell::fuzz

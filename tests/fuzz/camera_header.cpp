@@ -2,11 +2,17 @@
 #include "host/io/c_header_values.hpp"
 #include "tests/fuzz/reader.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-  using namespace quell;
+namespace quell::fuzz {
+namespace {
+
+void read(const std::uint8_t* bytes, std::size_t count) {
   const std::string text(reinterpret_cast<const char*>(bytes), count);
-  fuzz::attempt([&] { io::CHeaderValues(text, "header").array("camera_matrices"); });
-  fuzz::attempt([&] { io::CHeaderValues(text, "header").array("pixel_offsets"); });
-  fuzz::attempt([&] { io::CHeaderValues(text, "header").constant("position_limit_squared"); });
-  return 0;
+  attempt([&] { io::CHeaderValues(text, "header").array("camera_matrices"); });
+  attempt([&] { io::CHeaderValues(text, "header").array("pixel_offsets"); });
+  attempt([&] { io::CHeaderValues(text, "header").constant("position_limit_squared"); });
 }
+
+const Reader kReader("camera_header", read);
+
+}  // namespace
+}  // namespace quell::fuzz

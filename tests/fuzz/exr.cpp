@@ -3,20 +3,26 @@
 #include "host/io/frame_sequence.hpp"
 #include "tests/fuzz/reader.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-  using namespace quell;
-  const std::string path = fuzz::asFile(bytes, count, "frame_0001.exr");
-  fuzz::attempt([&] {
+namespace quell::fuzz {
+namespace {
+
+void read(const std::uint8_t* bytes, std::size_t count) {
+  const std::string path = asFile(bytes, count, "frame_0001.exr");
+  attempt([&] {
     const io::ExrHeader header = io::readExrHeader(path);
     // What the header claims is checked against the file's length, not against this: large pictures are slow here.
     constexpr long kMostPixels = 1 << 16;
     if (static_cast<long>(header.width) * header.height > kMostPixels) return;
-    fuzz::attempt([&] { io::readExr(path); });
-    fuzz::attempt([&] { io::readExr(path, {header.channels.front()}); });
-    fuzz::attempt([&] {
+    attempt([&] { io::readExr(path); });
+    attempt([&] { io::readExr(path, {header.channels.front()}); });
+    attempt([&] {
       const auto sequence = io::openSequence(path);
       sequence->read(sequence->frames().front());
     });
   });
-  return 0;
 }
+
+const Reader kReader("exr", read);
+
+}  // namespace
+}  // namespace quell::fuzz

@@ -3,11 +3,17 @@
 #include "host/io/png_image.hpp"
 #include "tests/fuzz/reader.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-  using namespace quell;
-  const std::string path = fuzz::asFile(bytes, count, "picture");
-  fuzz::attempt([&] { io::readPng(path); });
-  fuzz::attempt([&] { io::readPfm(path); });
-  fuzz::attempt([&] { io::readRaw(path, 2, 2); });
-  return 0;
+namespace quell::fuzz {
+namespace {
+
+void read(const std::uint8_t* bytes, std::size_t count) {
+  const std::string path = asFile(bytes, count, "picture");
+  attempt([&] { io::readPng(path); });
+  attempt([&] { io::readPfm(path); });
+  attempt([&] { io::readRaw(path, 2, 2); });
 }
+
+const Reader kReader("picture", read);
+
+}  // namespace
+}  // namespace quell::fuzz

@@ -1,4 +1,4 @@
-// What the fuzzers of readers share: the input as a file, and what a reader may do with it.
+// What the fuzzers of readers share: the input as a file, what a reader may do with it, and how it is called.
 #pragma once
 
 #include <unistd.h>
@@ -9,18 +9,42 @@
 #include <fstream>
 #include <quell/error.hpp>
 #include <string>
+#include <vector>
 
 namespace quell::fuzz {
 
-/// A file of these bytes, the same path for all inputs of a process. `name` decides what some readers take it for.
-inline std::string asFile(const std::uint8_t* bytes, std::size_t count, const std::string& name) {
+/// A reader of untrusted bytes. One of each file here, at namespace scope; its seeds are in seeds/NAME.
+struct Reader {
+  using Read = void (*)(const std::uint8_t* bytes, std::size_t count);
+
+  Reader(const char* itsName, Read itsRead) : name(itsName), read(itsRead) { all().push_back(this); }
+
+  /// Those of the program, in no order.
+  static std::vector<const Reader*>& all() {
+    static std::vector<const Reader*> readers;
+    return readers;
+  }
+
+  const char* name;
+  Read read;
+};
+
+/// Where the files of a process lie. In memory where there is such a place: what waits for a disk takes minutes.
+inline const std::filesystem::path& directoryOfFiles() {
   namespace fs = std::filesystem;
   static const fs::path directory = [] {
-    const fs::path path = fs::temp_directory_path() / ("quell_fuzz_" + std::to_string(::getpid()));
+    const fs::path memory = "/dev/shm";
+    const fs::path path = (fs::is_directory(memory) ? memory : fs::temp_directory_path()) /
+                          ("quell_fuzz_" + std::to_string(::getpid()));
     fs::create_directories(path);
     return path;
   }();
-  const std::string path = (directory / name).string();
+  return directory;
+}
+
+/// A file of these bytes, the same path for all inputs of a process. `name` decides what some readers take it for.
+inline std::string asFile(const std::uint8_t* bytes, std::size_t count, const std::string& name) {
+  const std::string path = (directoryOfFiles() / name).string();
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(count));
   return path;

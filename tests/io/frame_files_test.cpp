@@ -60,6 +60,18 @@ TEST_CASE("a minus is a sign unless it follows a letter or digit", "[frame files
   CHECK(paddedFrame(12345) == "12345");
 }
 
+TEST_CASE("numbers may stand before the end of a name, by themselves", "[frame files]") {
+  CHECK(Names({"0001_ALBEDO.exr", "0002_ALBEDO.EXR"}).frames() == std::vector<int>{1, 2});
+  CHECK(Names({"shot.0007.N.exr", "shot.0008.N.exr"}).frames() == std::vector<int>{7, 8});
+  CHECK(Names({"-0001 a.exr", "0000 a.exr"}).frames() == std::vector<int>{-1, 0});
+  CHECK(Names({"9_a.exr", "10_a.exr", "11_a.exr"}).like("##_a.exr").frames() == std::vector<int>{9, 10, 11});
+  CHECK(Names({"0001_a.exr", "0001_b.exr", "0001.exr"}).patterns() ==
+        std::vector<std::string>{"####.exr", "####_a.exr", "####_b.exr"});
+  // A number at the end goes before, and one within a word is none.
+  CHECK(Names({"0001_cam_0007.exr"}).frames() == std::vector<int>{7});
+  CHECK(Names({"cam2_beauty.exr"}).frames() == std::vector<int>{0});
+}
+
 TEST_CASE("sequences are what names have in common", "[frame files]") {
   CHECK(Names({"a_0001.exr", "b_0001.exr", "b_0002.exr", "take2_01.exr"}).patterns() ==
         std::vector<std::string>{"a_####.exr", "b_####.exr", "take2_##.exr"});

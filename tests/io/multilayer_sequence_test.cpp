@@ -8,6 +8,7 @@
 
 #include "host/analytic/sequence.hpp"
 #include "host/io/atomic_file.hpp"
+#include "host/io/exr_image.hpp"
 #include "host/io/multilayer_camera.hpp"
 #include "tests/support/error_matcher.hpp"
 #include "tests/support/multilayer_files.hpp"
@@ -195,6 +196,43 @@ TEST_CASE("a frame from which no camera follows goes on with the last one, and s
     CHECK_THAT(warnings[0].got, Catch::Contains("no surfaces"));
     CHECK_THAT(warnings[0].remedy, Catch::Contains(done[i]) && Catch::Contains("camera.json"));
   }
+}
+
+TEST_CASE("references lie beside multilayer files, whole or as colours") {
+  const TemporaryDirectory directory;
+  Passes passes = passesOf(builtIn()->read(0));
+  for (const char* name : {"shot_0000.exr", "shot_0001.exr"}) writeMultilayer(directory.file(name), passes);
+  passes["Combined"] = noiseImage(kWidth, kHeight, 3, 5);
+  writeMultilayer(directory.file("ref_a_shot_0001.exr"), passes);
+  writeExr(directory.file("ref_b_color_0001.exr"), noiseImage(kWidth, kHeight, 3, 6), ExrType::Float);
+  for (const std::string& path : {directory.path(), directory.file("shot_####.exr")}) {
+    const auto sequence = openSequence(path);
+    CHECK(sequence->frames() == std::vector<int>{0, 1});
+    CHECK_FALSE(sequence->hasReference(0, ReferenceKind::Centre));
+    CHECK_FALSE(sequence->hasReference(1, ReferenceKind::Antialiased));
+    CHECK_FALSE(sequence->hasReference(2, ReferenceKind::Centre));
+    REQUIRE(sequence->hasReference(1, ReferenceKind::Centre));
+    const Reference reference = sequence->reference(1, ReferenceKind::Centre);
+    CHECK(samePixels(reference.a, passes["Combined"]));
+    CHECK(samePixels(reference.b, noiseImage(kWidth, kHeight, 3, 6)));
+  }
+}
+
+TEST_CASE("motion is turned to that of the contract") {
+  const TemporaryDirectory directory;
+  Passes passes = passesOf(builtIn()->read(0));
+  const Image vectors = noiseImage(kWidth, kHeight, 4, 7);
+  passes["Vector"] = vectors;
+  writeMultilayer(directory.file("0.exr"), passes);
+  const auto motionAs = [&](const char* channels) {
+    SequenceOptions options;
+    if (*channels != '\0') options.channels.channels = {channels};
+    return openSequence(directory.path(), options)->read(0).motion.at(9, 30, 1);
+  };
+  const float y = vectors.at(9, 30, 1);
+  CHECK(motionAs("") == -y);  // Blender's points up
+  CHECK(motionAs("motion=View Layer.Vector") == y);
+  CHECK(motionAs("motion=View Layer.Vector:uv/from-previous") == -y * kHeight);
 }
 
 TEST_CASE("alpha of Combined is kept") {

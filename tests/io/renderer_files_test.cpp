@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "host/io/atomic_file.hpp"
 #include "host/io/exr_image.hpp"
@@ -78,6 +79,42 @@ TEST_CASE("each renderer's names give the frame of our own layout") {
   }
 }
 
+TEST_CASE("numbers may stand before the names of passes") {
+  const FrameData original = multilayer::builtIn()->read(1);
+  const TemporaryDirectory directory;
+  renderers::luxcore(directory.path(), original);
+  writeTextFile(directory.file("camera.json"), cameraText(1, original.camera.worldToClip));
+  for (const char* pass : {"RGB", "ALBEDO", "AVG_SHADING_NORMAL", "POSITION", "DEPTH", "EMISSION"})
+    std::filesystem::rename(directory.file(pass + std::string("_0001.exr")),
+                            directory.file("shot_0001_" + std::string(pass) + ".exr"));
+  const auto sequence = openSequence(directory.path());
+  CHECK_THAT(sequence->describeChannels().front(), Catch::Contains("luxcore, layer shot"));
+  const FrameData frame = sequence->read(1);
+  CHECK(samePixels(frame.radiance, original.radiance));
+  CHECK(samePixels(frame.emission, original.emission));
+}
+
+TEST_CASE("passes may lie in folders of their own") {
+  const FrameData original = multilayer::builtIn()->read(1);
+  const TemporaryDirectory directory;
+  const auto write = [&](const std::string& pass, const Image& image) {
+    std::filesystem::create_directory(directory.file(pass));
+    writeExr(directory.file(pass) + "/0001.exr", image, ExrType::Float);
+  };
+  write("Image", original.radiance);
+  write("Normal", original.normalWorld);
+  write("Position", original.positionWorld);
+  write("Diffuse Color", original.albedo);
+  writeExr(directory.file("Image") + "/ref_a_0001.exr", original.albedo, ExrType::Float);
+  writeTextFile(directory.file("camera.json"), cameraText(1, original.camera.worldToClip));
+  const auto sequence = openSequence(directory.path());
+  const FrameData frame = sequence->read(1);
+  CHECK(frame.warnings.empty());
+  CHECK(samePixels(frame.radiance, original.radiance));
+  CHECK(samePixels(frame.albedo, original.albedo));
+  CHECK(samePixels(sequence->reference(1, ReferenceKind::Centre).a, original.albedo));
+}
+
 TEST_CASE("any names do with --channels, in one file or a file for each pass") {
   const FrameData original = multilayer::builtIn()->read(1);
   const TemporaryDirectory one, several;
@@ -115,6 +152,9 @@ TEST_CASE("what cannot be found says what was looked for, and what there is") {
       failsWith(ErrorCode::FileError, {"channels of normal", "--channels normal=", "RGB, extra.RGB"}));
   CHECK_THROWS_MATCHES(openSequence(directory.path(), withChannels({"normal=extra", "position=P"})), Error,
                        failsWith(ErrorCode::FileError, {"channels of position (P)"}));
+  CHECK_THROWS_MATCHES(
+      openSequence(directory.path(), withChannels({"normal=extra", "position=extra", "albedo=Kd"})), Error,
+      failsWith(ErrorCode::FileError, {"channels of albedo (Kd)", "RGB, extra.RGB"}));
   for (const char* wrong : {"normal", "normals=N", "normal=X,Y", "normal=", "normal=a+", "depth=Z:far"})
     CHECK_THROWS_MATCHES(openSequence(directory.path(), withChannels({wrong})), Error,
                          failsWith(ErrorCode::InvalidArgument));

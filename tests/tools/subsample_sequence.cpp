@@ -16,6 +16,7 @@
 #include <string>
 
 #include "host/io/atomic_file.hpp"
+#include "host/io/camera_keys.hpp"
 #include "host/io/cycles_sequence.hpp"
 #include "host/io/image_sources.hpp"
 #include "host/io/sequence_files.hpp"
@@ -84,13 +85,15 @@ class Subsampler {
       write(quell::io::referenceStem(kind, 'a', color.stem), frame, reference.a, color);
       write(quell::io::referenceStem(kind, 'b', color.stem), frame, reference.b, color);
     }
-    m_frames.push_back({{"frame", frame},
-                        {"view_projection", centred(data.camera.worldToClip)},
-                        {"previous_view_projection", centred(data.camera.worldToClipPrev)}});
+    using Key = quell::io::CameraKey;
+    m_frames.push_back({{nameOf(Key::Frame), frame},
+                        {nameOf(Key::ViewProjection), centred(data.camera.worldToClip)},
+                        {nameOf(Key::PreviousViewProjection), centred(data.camera.worldToClipPrev)}});
   }
 
   void writeCameras() const {
-    const nlohmann::ordered_json cameras = {{"width", m_width}, {"height", m_height}, {"frames", m_frames}};
+    const nlohmann::ordered_json cameras = {
+        {"width", m_width}, {"height", m_height}, {nameOf(quell::io::CameraKey::Frames), m_frames}};
     quell::io::writeTextFile(quell::io::joinPath(m_output, quell::io::kCyclesCameraFile),
                              cameras.dump(1) + "\n");
   }

@@ -17,6 +17,7 @@
 #include "host/cli/common/commands.hpp"
 #include "host/cli/common/output_files.hpp"
 #include "host/cli/common/run_plan.hpp"
+#include "host/cli/common/sequence_arguments.hpp"
 #include "host/io/atomic_file.hpp"
 
 namespace quell::cli {
@@ -58,12 +59,12 @@ BenchGroup planSweepGroup(const std::string& name, const BenchArguments& argumen
   if (!sizes.empty()) {
     input.directories.clear();
     input.sizes = sizes;
-    input.signals = 1;
+    input.reading.signals = 1;
     input.mostFrames = kBuiltInSweepFrames;
     if (const std::vector<double> shares = sweepSkyShares(name); !shares.empty()) input.skyShares = shares;
   } else if (!input.directories.empty()) {
     if (sweepNeedsRoughness(name))
-      input.directories = {directoryWithRoughness(input.directories, input.signals)};
+      input.directories = {directoryWithRoughness(input.directories, input.reading)};
     else
       input.directories.resize(1);
     input.sizes.clear();
@@ -144,12 +145,14 @@ void addReportOptions(CLI::App& command, BenchArguments& arguments) {
 }
 
 void addInputOptions(CLI::App& command, InputArguments& input) {
-  command.add_option("--input", input.directories, "Directories with sequences (see data/README.md)");
+  command.add_option("--input", input.directories,
+                     "Sequences: directories or files, as quell denoise takes them");
   command
       .add_option("--size", input.sizes,
                   "Sizes of the built-in sequence; default: 1280x720 if there is no --input")
       ->delimiter(kSeparator);
-  addSignalsOption(command, input.signals);
+  addSignalsOption(command, input.reading.signals);
+  addSequenceOptions(command, input.reading);
   command
       .add_option("--frames", input.mostFrames,
                   "Run the first N frames of every sequence; default: all, 16 of the built-in one")

@@ -8,13 +8,14 @@
 #include <memory>
 #include <quell/error.hpp>
 #include <string>
+#include <utility>
 
 #include "host/cli/check/page.hpp"
 #include "host/cli/check/pictures.hpp"
 #include "host/cli/check/report.hpp"
-#include "host/cli/common/command_arguments.hpp"
 #include "host/cli/common/commands.hpp"
 #include "host/cli/common/output_files.hpp"
+#include "host/cli/common/sequence_arguments.hpp"
 #include "host/io/atomic_file.hpp"
 #include "host/io/png_image.hpp"
 
@@ -29,23 +30,13 @@ struct CheckOptions {
   std::string json;
   std::string pictures;
   std::string html;
-  std::string missing = "error";
-  io::ChannelOptions channels;
+  io::SequenceOptions reading;
   int frameCount = 4;
 };
 
-std::vector<int> chooseFrames(const CheckOptions& options, const io::FrameSequence& sequence) {
-  std::vector<int> frames = sequence.frames();
-  if (options.frames.empty()) {
-    frames.resize(std::min(frames.size(), std::size_t(options.frameCount)));
-    return frames;
-  }
-  const auto [first, last] = parsePair(kCommand, "--frames", options.frames, '-', "a range such as 0-15");
-  frames.erase(
-      std::remove_if(frames.begin(), frames.end(), [a = first, b = last](int f) { return f < a || f > b; }),
-      frames.end());
-  if (frames.empty()) refuse(kCommand, "--frames", "frames that are there", options.frames);
-  return frames;
+std::vector<int> framesToCheck(const CheckOptions& options, std::vector<int> frames) {
+  if (options.frames.empty()) frames.resize(std::min(frames.size(), std::size_t(options.frameCount)));
+  return chooseFrames(kCommand, std::move(frames), options.frames);
 }
 
 using Pngs = std::map<std::string, std::string>;  // by kind
@@ -65,14 +56,11 @@ FindingSink pictureSink(const CheckOptions& options, Pngs& pngs) {
 }
 
 void runCheck(const CheckOptions& options) {
-  io::SequenceOptions input(1,
-                            options.missing == "skip" ? io::MissingFrames::Skip : io::MissingFrames::Refuse);
-  input.channels = options.channels;
-  const std::unique_ptr<io::FrameSequence> sequence = io::openSequence(options.input, input);
+  const std::unique_ptr<io::FrameSequence> sequence = io::openSequence(options.input, options.reading);
   for (const std::string& line : sequence->describeChannels()) fmt::print("{}\n", line);
   Pngs pngs;
   const SequenceCheck check =
-      checkSequence(*sequence, chooseFrames(options, *sequence), pictureSink(options, pngs));
+      checkSequence(*sequence, framesToCheck(options, sequence->frames()), pictureSink(options, pngs));
   fmt::print("{}", checkText(sequence->name(), check));
   std::fflush(stdout);  // the JSON may go to the same place
   writeJson(options.json, checkJson(sequence->name(), check));
@@ -101,16 +89,14 @@ void addCheckCommand(CLI::App& app) {
   command->add_option("input", options->input, "Directory or file as for quell denoise --input")
       ->required()
       ->type_name("DIR|FILE");
-  command->add_option("--frames", options->frames, "Frames A-B; default: the first ones")->type_name("A-B");
+  command
+      ->add_option("--frames", options->frames,
+                   "Frames A-B (A:B where one is negative); default: the first ones")
+      ->type_name("A-B");
   command->add_option("--frame-count", options->frameCount, "How many of the first frames")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command
-      ->add_option("--missing", options->missing,
-                   "Frames missing in between: error, or skip, which goes on after a gap as after a cut")
-      ->check(CLI::IsMember({"error", "skip"}))
-      ->capture_default_str();
-  addChannelOptions(*command, options->channels);
+  addSequenceOptions(*command, options->reading);
   command->add_option("--json", options->json, "Write figures and findings to this file as JSON")
       ->type_name("FILE");
   command

@@ -116,31 +116,6 @@ Settings applyMethodArguments(const char* command, const MethodArguments& argume
   return settings;
 }
 
-void addSignalsOption(CLI::App& command, int& signals) {
-  command.add_option("--signals", signals, "1, or 2: diffuse and glossy light side by side")
-      ->check(CLI::Range(1, 2))
-      ->capture_default_str();
-}
-
-void addChannelOptions(CLI::App& command, io::ChannelOptions& channels) {
-  std::vector<std::string> images, renderers = io::rendererNames();
-  for (const io::NamedImage& image : io::namedImages()) images.emplace_back(image.name);
-  renderers.insert(renderers.begin(), channels.renderer);
-  command
-      .add_option("--channels", channels.channels,
-                  fmt::format("Channels of an image where no renderer's names fit: color=R,G,B normal=N "
-                              "depth=dist:ray emission=Emit+Env; images are {}",
-                              fmt::join(images, ", ")))
-      ->type_name("IMAGE=NAME");
-  command
-      .add_option("--renderer", channels.renderer, "Whose names of channels; auto: those that explain most")
-      ->check(CLI::IsMember(renderers))
-      ->capture_default_str();
-  command.add_option("--layer", channels.layer, "View layer, or what stands before the passes' names")
-      ->type_name("NAME");
-  command.add_option("--view", channels.view, "View of stereo pictures, such as left")->type_name("NAME");
-}
-
 void addMotionOption(CLI::App& command, std::string& motion) {
   command
       .add_option("--motion", motion, "Motion vectors and object ids: auto, used where there are any, or off")

@@ -64,12 +64,6 @@ void addMethodArguments(CLI::App& command, MethodArguments& arguments);
 /// `settings` with what the arguments say on top. Throws what Settings throws, and Error(InvalidArgument).
 Settings applyMethodArguments(const char* command, const MethodArguments& arguments, Settings settings);
 
-/// --signals: 1, or 2 for diffuse and glossy light side by side. `signals` must live as long as `command`.
-void addSignalsOption(CLI::App& command, int& signals);
-
-/// --channels, --renderer, --layer and --view. `channels` must live as long as `command`.
-void addChannelOptions(CLI::App& command, io::ChannelOptions& channels);
-
 /// --motion: auto, or off. `motion` must live as long as `command`.
 void addMotionOption(CLI::App& command, std::string& motion);
 MotionUse motionUse(const std::string& motion);

@@ -1,6 +1,15 @@
 #include "host/cli/common/frame_views.hpp"
 
+#include "host/io/camera_file.hpp"
+#include "host/io/sequence_files.hpp"
+
 namespace quell::cli {
+namespace {
+
+/// What findings about cameras are about.
+constexpr char kCamera[] = "camera";
+
+}  // namespace
 
 check::Image viewOf(const io::Image& image) {
   if (image.empty()) return {};
@@ -37,6 +46,8 @@ std::string kindOf(const io::FrameWarning& warning) {
 std::string fileOfImage(const io::FrameSequence& sequence, int frame, const std::string& image) {
   for (const auto& facts : kInputs<io::FrameData>)
     if (image == facts.name) return sequence.fileOf(frame, facts.files);
+  if (image == kCamera && io::hasFile(sequence.name(), io::kCyclesCameraFile))
+    return io::joinPath(sequence.name(), io::kCyclesCameraFile);
   return sequence.name();
 }
 

@@ -75,6 +75,7 @@ std::unique_ptr<io::FrameSequence> makeBuiltIn(Size size, double skyShare, int m
 BenchInput openInput(std::unique_ptr<io::FrameSequence> sequence, int mostFrames) {
   std::vector<int> frames = sequence->frames();
   if (mostFrames > 0) frames.resize(std::min(frames.size(), static_cast<std::size_t>(mostFrames)));
+  sequence->requireReadable(frames);
   return {std::move(sequence), std::move(frames)};
 }
 
@@ -126,9 +127,10 @@ std::vector<PlannedRun> planRuns(const std::vector<std::string>& methods,
   return all;
 }
 
-std::string directoryWithRoughness(const std::vector<std::string>& directories, int signals) {
+std::string directoryWithRoughness(const std::vector<std::string>& directories,
+                                   const io::SequenceOptions& reading) {
   for (const std::string& directory : directories) {
-    const auto sequence = io::openSequence(directory, signals);
+    const auto sequence = io::openSequence(directory, reading);
     if (!sequence->read(sequence->frames().front()).roughness.empty()) return directory;
   }
   return directories.front();
@@ -137,11 +139,11 @@ std::string directoryWithRoughness(const std::vector<std::string>& directories, 
 std::vector<BenchInput> openInputs(const InputArguments& arguments) {
   std::vector<BenchInput> inputs;
   for (const std::string& directory : arguments.directories)
-    inputs.push_back(openInput(openWatched(directory, arguments.signals), arguments.mostFrames));
+    inputs.push_back(openInput(openWatched(directory, arguments.reading), arguments.mostFrames));
   std::vector<std::string> sizes = arguments.sizes;
   if (inputs.empty() && sizes.empty()) sizes = {kDefaultSize};
-  if (!sizes.empty() && arguments.signals != 1)
-    refuse(kCommand, "--signals", "1 with the built-in sequence", std::to_string(arguments.signals));
+  if (!sizes.empty() && arguments.reading.signals != 1)
+    refuse(kCommand, "--signals", "1 with the built-in sequence", std::to_string(arguments.reading.signals));
   for (const std::string& text : sizes) {
     const Size size = parseSize(kCommand, text);
     for (const double share : arguments.skyShares)

@@ -62,13 +62,14 @@ struct InputArguments {
   std::vector<std::string> directories;
   std::vector<std::string> sizes;         ///< of the built-in sequence, such as "1280x720"
   std::vector<double> skyShares = {0.0};  ///< of the built-in sequence's rows; it runs once for each
-  int signals = 1;                        ///< 2: diffuse and glossy light side by side; directories only
+  io::SequenceOptions reading;            ///< of the directories
   int mostFrames = 0;                     ///< the first frames of every sequence; 0: all, or 16 built-in ones
 };
 
 /// The first of the directories (at least one) whose frames have roughness. Where none has, the first: what cannot run
 /// there is reported. Throws as openInputs().
-std::string directoryWithRoughness(const std::vector<std::string>& directories, int signals);
+std::string directoryWithRoughness(const std::vector<std::string>& directories,
+                                   const io::SequenceOptions& reading = {});
 
 /// Directories first, then sizes. Throws Error(FileError) or Error(InvalidArgument).
 std::vector<BenchInput> openInputs(const InputArguments& arguments);

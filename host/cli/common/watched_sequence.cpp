@@ -28,6 +28,7 @@ class WatchedSequence final : public io::FrameSequence {
   std::string fileOf(int frame, const ImageFiles& files) const override {
     return m_sequence->fileOf(frame, files);
   }
+  void requireReadable(const std::vector<int>& frames) const override { m_sequence->requireReadable(frames); }
   bool hasReference(int frame, io::ReferenceKind kind) const override {
     return m_sequence->hasReference(frame, kind);
   }

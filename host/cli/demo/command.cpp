@@ -12,6 +12,7 @@
 #include "host/cli/common/denoise_report.hpp"
 #include "host/cli/common/output_files.hpp"
 #include "host/cli/common/progress.hpp"
+#include "host/cli/common/sequence_arguments.hpp"
 #include "host/cli/demo/page.hpp"
 #include "host/cli/demo/pipeline.hpp"
 #include "host/core/program_cache.hpp"

@@ -15,6 +15,7 @@
 #include "host/cli/common/fair_rounds.hpp"
 #include "host/cli/common/output_files.hpp"
 #include "host/cli/common/progress.hpp"
+#include "host/cli/common/sequence_arguments.hpp"
 #include "host/cli/common/watched_sequence.hpp"
 #include "host/cli/denoise/further_outputs.hpp"
 #include "host/io/atomic_file.hpp"
@@ -32,16 +33,14 @@ struct DenoiseOptions {
   std::vector<std::string> input;
   std::string output;
   std::string frames;
-  std::string missing = "error";
   std::string size = "1280x720";
   std::string timers = "device";
   std::string motion = "auto";
   std::string json;
   std::vector<std::string> dump;
-  io::ChannelOptions channels;
+  io::SequenceOptions reading;
   DeviceArguments device;
   int analyticFrames = 16;
-  int signals = 1;
   double skyShare = 0.0;
   bool stillCamera = false;
   bool debugTiles = false;
@@ -52,17 +51,13 @@ struct DenoiseOptions {
   bool copyBandwidth = false;
 };
 
-io::SequenceOptions sequenceOptions(const DenoiseOptions& options) {
-  io::SequenceOptions sequence(
-      options.signals, options.missing == "skip" ? io::MissingFrames::Skip : io::MissingFrames::Refuse);
-  sequence.channels = options.channels;
-  sequence.furtherFiles.assign(options.input.begin() + 1, options.input.end());
-  return sequence;
-}
-
 std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
-  if (!options.input.empty()) return openWatched(options.input.front(), sequenceOptions(options));
-  if (options.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
+  if (!options.input.empty()) {
+    io::SequenceOptions reading = options.reading;
+    reading.furtherFiles.assign(options.input.begin() + 1, options.input.end());
+    return openWatched(options.input.front(), reading);
+  }
+  if (options.reading.signals != 1) refuse(kCommand, "--signals", "1 with the built-in sequence", "2");
   const Size size = parseSize(kCommand, options.size);
   io::AnalyticOptions analytic;
   analytic.width = size.width;
@@ -71,20 +66,6 @@ std::unique_ptr<io::FrameSequence> openInput(const DenoiseOptions& options) {
   analytic.skyShare = options.skyShare;
   analytic.movingCamera = !options.stillCamera;
   return io::makeAnalyticSequence(analytic);
-}
-
-std::vector<int> chooseFrames(const DenoiseOptions& options, const io::FrameSequence& sequence) {
-  std::vector<int> frames = sequence.frames();
-  if (options.frames.empty()) return frames;
-  const auto [first, last] = parseFrameRange(kCommand, options.frames);
-  const std::string present = fmt::format("a range within {}", frameRangeText(frames.front(), frames.back()));
-  if (first > last || first < frames.front() || last > frames.back())
-    refuse(kCommand, "--frames", present, options.frames);
-  frames.erase(
-      std::remove_if(frames.begin(), frames.end(), [a = first, b = last](int f) { return f < a || f > b; }),
-      frames.end());
-  if (frames.empty()) refuse(kCommand, "--frames", "frames that are not missing", options.frames);
-  return frames;
 }
 
 TimerMode timerMode(const std::string& name) {
@@ -115,7 +96,7 @@ std::unique_ptr<FurtherOutputWriter> openFurther(const io::FrameSequence& sequen
     accumulation = std::make_unique<DenoiseSession>(
         options.device.device, accumulationSettings(settings, sequence),
         makeOptions(options.device, TimerMode::Off), sequence.read(firstFrame), motionUse(options.motion));
-  return std::make_unique<FurtherOutputWriter>(options.further, *files, sequence, options.signals,
+  return std::make_unique<FurtherOutputWriter>(options.further, *files, sequence, options.reading.signals,
                                                std::move(accumulation));
 }
 
@@ -151,7 +132,8 @@ void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& fr
 
 void runDenoise(const DenoiseOptions& options) {
   const std::unique_ptr<io::FrameSequence> sequence = openInput(options);
-  const std::vector<int> frames = chooseFrames(options, *sequence);
+  const std::vector<int> frames = chooseFrames(kCommand, sequence->frames(), options.frames);
+  sequence->requireReadable(frames);
   for (const std::string& line : sequence->describeChannels()) fmt::print("{}\n", line);
   const Settings settings =
       applyMethodArguments(kCommand, options.method, defaultSettings(options.method.method, *sequence));
@@ -201,11 +183,6 @@ void addInputOptions(CLI::App* command, const std::shared_ptr<DenoiseOptions>& o
       "data/README.md; without it a built-in sequence is made up. Files of renderers need colour, "
       "normal, and both of position and depth, or one of them and a camera");
   command->add_option("--frames", options->frames, "Frames A-B (A:B where one is negative); default: all");
-  command
-      ->add_option("--missing", options->missing,
-                   "Frames missing in between: error, or skip, which goes on after a gap as after a cut")
-      ->check(CLI::IsMember({"error", "skip"}))
-      ->capture_default_str();
   command->add_option("--size", options->size, "Size of the built-in sequence")->capture_default_str();
   command->add_option("--frame-count", options->analyticFrames, "Length of the built-in sequence")
       ->check(CLI::PositiveNumber)
@@ -226,8 +203,8 @@ void addDenoiseCommand(CLI::App& app) {
   addInputOptions(command, options);
   command->add_option("--output", options->output,
                       "Directory for denoised_NNNN.exr and display_NNNN.png or .exr");
-  addSignalsOption(*command, options->signals);
-  addChannelOptions(*command, options->channels);
+  addSignalsOption(*command, options->reading.signals);
+  addSequenceOptions(*command, options->reading);
   addMotionOption(*command, options->motion);
   command->add_option("--timers", options->timers, "Where stage times come from")
       ->check(CLI::IsMember({"device", "host", "off"}))

@@ -6,6 +6,7 @@
 
 #include "host/cli/common/commands.hpp"
 #include "host/cli/common/output_files.hpp"
+#include "host/cli/common/sequence_arguments.hpp"
 #include "host/cli/select_features/selection.hpp"
 #include "kernels/fit_params.h"
 
@@ -41,8 +42,8 @@ void addSelectFeaturesCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       kCommand,
       "Choose the features of bmfr's fit greedily by their error over the reference frames of sequences");
-  command->add_option("--input", selection.inputs, "Directories with sequences (see data/README.md)")
-      ->required();
+  command->add_option("--input", selection.inputs, "Sequences, as quell denoise takes them")->required();
+  addSequenceOptions(*command, selection.reading);
   command->add_option(
       "--pool", selection.pool,
       "Features to choose from, as in the setting features; groups are added whole. Default: powers "

@@ -28,8 +28,8 @@ struct LoadedSequence {
   std::vector<std::optional<io::Reference>> references;  // one a frame
 };
 
-LoadedSequence load(const std::string& directory) {
-  LoadedSequence loaded{openWatched(directory), {}, {}};
+LoadedSequence load(const std::string& directory, const io::SequenceOptions& reading) {
+  LoadedSequence loaded{openWatched(directory, reading), {}, {}};
   io::References references(*loaded.sequence);
   std::size_t needed = 0;
   for (const int number : loaded.sequence->frames()) {
@@ -154,7 +154,8 @@ std::vector<SelectionStep> selectFeatures(const SelectionArguments& arguments) {
     refuse(kCommand, "--count", fmt::format("at least the {} features of --start", start.count()),
            std::to_string(arguments.mostFeatures));
   std::vector<LoadedSequence> sequences;
-  for (const std::string& directory : arguments.inputs) sequences.push_back(load(directory));
+  for (const std::string& directory : arguments.inputs)
+    sequences.push_back(load(directory, arguments.reading));
   const std::vector<std::string> pool = poolEntries(arguments, sequences);
   const Evaluator evaluator(arguments, sequences);
   std::vector<SelectionStep> steps = {makeStep("", arguments.start, evaluator.rmse(arguments.start))};

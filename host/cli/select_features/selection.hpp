@@ -12,7 +12,8 @@
 namespace quell::cli {
 
 struct SelectionArguments {
-  std::vector<std::string> inputs;  ///< directories, each with at least one reference frame
+  std::vector<std::string> inputs;  ///< sequences, each with at least one reference frame
+  io::SequenceOptions reading;
   /// Entries are added one at a time; groups such as "w" whole, "so that the selection does not overfit to camera
   /// orientations" (Koskela et al.). Empty: everything that the inputs have images for.
   std::string pool;

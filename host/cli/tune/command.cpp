@@ -6,6 +6,7 @@
 
 #include "host/cli/common/commands.hpp"
 #include "host/cli/common/output_files.hpp"
+#include "host/cli/common/sequence_arguments.hpp"
 #include "host/cli/tune/plan.hpp"
 #include "host/cli/tune/report.hpp"
 #include "host/io/atomic_file.hpp"
@@ -52,14 +53,15 @@ void runTune(const TuneArguments& arguments) {
   if (!arguments.markdown.empty()) io::writeTextFile(arguments.markdown, toMarkdown(result));
 }
 
-void addSequenceOptions(CLI::App& command, TuneArguments& arguments) {
+void addInputOptions(CLI::App& command, TuneArguments& arguments) {
   command
       .add_option("--input", arguments.input.directories,
-                  "Directories with sequences to tune on (see data/README.md), each with a reference")
+                  "Sequences to tune on, as quell denoise takes them, each with a reference")
       ->required();
   command.add_option("--confirm", arguments.confirm,
                      "Other sequences, to see whether the Pareto set holds there");
-  addSignalsOption(command, arguments.input.signals);
+  addSignalsOption(command, arguments.input.reading.signals);
+  addSequenceOptions(command, arguments.input.reading);
   command
       .add_option("--frames", arguments.input.mostFrames,
                   "Run the first N frames of every sequence; default: all")
@@ -101,7 +103,7 @@ void addTuneCommand(CLI::App& app) {
           "A setting and its values, name=value,value (texts: separated by semicolons); may be repeated: "
           "all combinations are run, and the defaults")
       ->required();
-  addSequenceOptions(*command, *arguments);
+  addInputOptions(*command, *arguments);
   addTimeOptions(*command, *arguments);
   addDeviceArguments(*command, arguments->evaluation.device);
   command->add_option("--json", arguments->json, "File for all figures as JSON");
