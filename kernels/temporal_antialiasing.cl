@@ -86,23 +86,32 @@ QUELL_INLINE Neighbourhood boundsAround(__global const float* radiance, PlanePar
   return result;
 }
 
-// Whether the pixel lay inside the frame before and not only history of something else was met there and around.
-QUELL_INLINE intL historyCounts(__global const uchar* reprojectionMask, PlaneParams planes, int x, int y) {
+// How far the history of a pixel can be trusted.
+typedef struct HistoryTrust {
+  intL counts;  // inside the frame before, and not only history of something else was met there and around
+  intL steady;  // most of the 3x3 pixels met their own history; asked at silhouettes only
+} HistoryTrust;
+
+QUELL_INLINE HistoryTrust trustHistory(__global const uchar* reprojectionMask, PlaneParams planes, int x,
+                                       int y, intL silhouette) {
   const int index = planeIndex(planes, x, y);
   const intL own = loadByteLanes(reprojectionMask + index);
-  const intL inFrame = (own & QUELL_PREV_IN_FRAME) != 0;
-  intL rejected = (own & QUELL_HISTORY_REJECTED) != 0;
-  if (!anyLane(rejected)) return inFrame;
+  const intL rejected = (own & QUELL_HISTORY_REJECTED) != 0;
+  HistoryTrust trust = {(own & QUELL_PREV_IN_FRAME) != 0, silhouette};
+  if (!anyLane(rejected || silhouette)) return trust;
   const intL column = x + LANE_INDEX;
+  intL accepted = (intL)(0);
   for (int dy = -1; dy <= 1; ++dy) {
     if (y + dy < 0 || y + dy >= planes.height) continue;
     for (int dx = -1; dx <= 1; ++dx) {
       const intL mask = loadByteLanes(reprojectionMask + index + dy * planes.pitch + dx);
-      const intL outside = column + dx < 0 || column + dx >= planes.width;
-      rejected = rejected && (outside || (mask & QUELL_HISTORY_REJECTED) != 0);
+      const intL inside = column + dx >= 0 && column + dx < planes.width;
+      accepted += inside && (mask & QUELL_HISTORY_REJECTED) == 0 ? (intL)(1) : (intL)(0);
     }
   }
-  return inFrame && !rejected;
+  trust.counts = trust.counts && (!rejected || accepted > 0);
+  trust.steady = silhouette && accepted >= QUELL_STEADY_PIXELS;
+  return trust;
 }
 
 QUELL_INLINE floatL depthOrFar(floatL depth, float backgroundDepth) {
@@ -150,6 +159,11 @@ QUELL_INLINE intL touchesFrame(PlaneParams planes, floatL x, floatL y) {
   return x > -1.0f && x < (float)planes.width && y > -1.0f && y < (float)planes.height;
 }
 
+QUELL_INLINE intL isSlow(PixelPrev prev, int x, int y) {
+  return absLanes(prev.x - TO_FLOAT(x + LANE_INDEX)) <= QUELL_STEADY_MOTION_PX &&
+         absLanes(prev.y - (float)y) <= QUELL_STEADY_MOTION_PX;
+}
+
 QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA, floatL highB) {
   return minLanes(maxLanes(v, 0.5f * (lowA + lowB)), 0.5f * (highA + highB));
 }
@@ -173,14 +187,15 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
   const Bounds box = around.box;
   const Bounds cross = around.cross;
 
-  const intL hasHistory =
-      historyCounts(reprojectionMask, planes, x, y) && touchesFrame(planes, prev.x, prev.y);
+  const HistoryTrust trust =
+      trustHistory(reprojectionMask, planes, x, y, prev.silhouette && isSlow(prev, x, y));
+  const intL hasHistory = trust.counts && touchesFrame(planes, prev.x, prev.y);
   const float3L sampled = sampleBicubic(antialiasedPrev, planes, bicubicTaps(planes, prev.x, prev.y));
   float3L history = toYCoCg(sampled);
   history.x = clampToMean(history.x, box.low.x, cross.low.x, box.high.x, cross.high.x);
   history.y = clampToMean(history.y, box.low.y, cross.low.y, box.high.y, cross.high.y);
   history.z = clampToMean(history.z, box.low.z, cross.low.z, box.high.z, cross.high.z);
-  const floatL weight = prev.silhouette ? (floatL)(params.silhouetteWeight) : (floatL)(params.newestWeight);
+  const floatL weight = trust.steady ? (floatL)(params.silhouetteWeight) : (floatL)(params.newestWeight);
   const float3L blended = add3(scale3(newest, weight), scale3(toRgb(history), 1.0f - weight));
   const float3L result = clamp3(select3(hasHistory, blended, newest), 0.0f, QUELL_MAX_RADIANCE);
   storeLanes3(result, antialiased, index, stride);

@@ -21,5 +21,9 @@ QUELL_NAMESPACE_END
 
 // Share of a pixel's view depth below which a neighbour is in front of it: less is the slope of one surface.
 #define QUELL_NEARER 0.97f
+// Silhouettes are averaged over longer where that many of the 3x3 pixels met their own history, and where it was less
+// than that many pixels away: after a cut, or fast as that, what lies there is something else. (docs/quell-sweep.md)
+#define QUELL_STEADY_PIXELS 5
+#define QUELL_STEADY_MOTION_PX 8.0f
 
 #endif

@@ -46,11 +46,17 @@ Bounds neighbourhood(const Planes& denoised, int x, int y) {
   return {0.5 * (box.low + cross.low), 0.5 * (box.high + cross.high)};
 }
 
-bool rejectedAround(const Planes& mask, int x, int y) {
+bool isRejected(const Planes& mask, int x, int y) {
+  return (int(mask.at(0, x, y)) & QUELL_HISTORY_REJECTED) != 0;
+}
+
+// How many of the 3x3 pixels around met their own history, or were not asked.
+int acceptedAround(const Planes& mask, int x, int y) {
+  int accepted = 0;
   for (int row = std::max(y - 1, 0); row <= std::min(y + 1, mask.height - 1); ++row)
     for (int column = std::max(x - 1, 0); column <= std::min(x + 1, mask.width - 1); ++column)
-      if ((int(mask.at(0, column, row)) & QUELL_HISTORY_REJECTED) == 0) return false;
-  return true;
+      accepted += !isRejected(mask, column, row);
+  return accepted;
 }
 
 struct Place {
@@ -107,12 +113,15 @@ ExactPlanes temporalAntialiasingOracle(const TemporalAntialiasingInputs& inputs)
     Vector3d color = colorAt(inputs.denoised, x, y);
     const Place prev = nearestPrev(inputs, x, y);
     const bool inFrame = (int(inputs.reprojectionMask.at(0, x, y)) & QUELL_PREV_IN_FRAME) != 0;
-    if (inFrame && touchesFrame(inputs.denoised.size(), prev) &&
-        !rejectedAround(inputs.reprojectionMask, x, y)) {
+    const int accepted = acceptedAround(inputs.reprojectionMask, x, y);
+    const bool met = accepted > 0 || !isRejected(inputs.reprojectionMask, x, y);
+    if (inFrame && met && touchesFrame(inputs.denoised.size(), prev)) {
       const Vector3d history = sample(inputs.antialiasedPrev, prev);
       const Bounds bounds = neighbourhood(inputs.denoised, x, y);
       const Vector3d clamped = toYCoCg(history).cwiseMax(bounds.low).cwiseMin(bounds.high);
-      const double weight = prev.silhouette ? inputs.silhouetteWeight : inputs.newestWeight;
+      const bool slow = std::abs(prev.x - x) <= 8.0 && std::abs(prev.y - y) <= 8.0;
+      const bool steady = prev.silhouette && slow && accepted >= 5;
+      const double weight = steady ? inputs.silhouetteWeight : inputs.newestWeight;
       color = weight * color + (1.0 - weight) * toRgb(clamped);
     }
     color = color.cwiseMax(0.0).cwiseMin(QUELL_MAX_RADIANCE);
