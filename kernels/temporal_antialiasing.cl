@@ -10,9 +10,10 @@
 //          blends encoded values and lets the newest frame weigh 0.2, which with a filter as steady as ours blurs more
 //          than it smooths (sweep, docs/quell-sweep.md), but less of it at silhouettes, where it shows one surface of two.
 //          History is sampled with Catmull-Rom weights, which do not blur it a little more every frame as bilinear ones do,
-//          and where the nearest surface of the 3x3 pixels was (Karis 2014), not where the pixel's own was. A pixel that was outside the frame before keeps the newest colour
-//          (the reference divides 0 by 0 there), and so does one whose history accumulation has rejected, if it did so for
-//          the pixels around as well: alone it is a silhouette, which antialiasing is for.
+//          and where the nearest surface of the 3x3 pixels was (Karis 2014), not where the pixel's own was. A pixel that was
+//          outside the frame before keeps the newest colour (the reference divides 0 by 0 there), and so does one whose
+//          history accumulation has rejected, if it did so for the pixels around as well: alone it is a silhouette, which
+//          antialiasing is for.
 #include "common/bicubic.h"
 #include "common/display_encoding.h"
 #include "common/guides.h"
