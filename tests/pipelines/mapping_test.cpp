@@ -12,8 +12,8 @@ constexpr int kWidth = 75;
 constexpr int kHeight = 45;
 // Of encoded values.
 constexpr double kLastDigits = 1e-5;
-// Sky is antialiased where it shares a vector with a surface, and left as it is elsewhere.
-constexpr double kEdgeOfSky = 5e-3;
+// Sky is antialiased where it shares a vector with a surface, with the weight of silhouettes, and left as it is elsewhere.
+constexpr double kEdgeOfSky = 6e-3;
 
 Settings gramSettings() {
   Settings settings("bmfr");
