@@ -63,8 +63,7 @@ QUELL_INLINE floatL prefilterVariance(__global const float* variance, PlaneParam
       if (dx == 0 && dy == 0) continue;
       floatL value = loadLanes(variance + index + dy * planes.pitch + dx);
       if (atBorder) {
-        const intL inside = column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
-                            (intL)(y + dy) < planes.height;
+        const intL inside = insideFrame(planes, column + dx, (intL)(y + dy));
         value = inside ? value : centre;
       }
       sum += (dx == 0 || dy == 0 ? 0.125f : 0.0625f) * value;

@@ -44,10 +44,10 @@ QUELL_INLINE GatherPlan planTilePixels(PlaneParams planes, Tile tile, int vector
   const intL number = pixel + LANE_INDEX;
   const intL x = tile.x + (number & (GRAM_TILE_EDGE - 1));
   const intL y = tile.y + number / GRAM_TILE_EDGE;
-  *inside = x >= 0 && x < planes.width && y >= 0 && y < planes.height;
+  *inside = insideFrame(planes, x, y);
   const intL row = maxLanesInt(minLanesInt(y, (intL)(planes.height - 1)), (intL)(0));
   const intL column = maxLanesInt(minLanesInt(x, (intL)(planes.width - 1)), (intL)(0));
-  return planGather((row + QUELL_PLANE_MARGIN_ROWS) * planes.pitch + QUELL_PLANE_MARGIN + column);
+  return planGather(planeIndexOfLanes(planes, column, row));
 #endif
 }
 

@@ -72,8 +72,7 @@ QUELL_INLINE Neighbourhood boundsAround(__global const float* radiance, PlanePar
       if (dx == 0 && dy == 0) continue;
       float3L neighbour = toYCoCg(loadLanes3(radiance, index + dy * planes.pitch + dx, planes.stride));
       if (atBorder) {
-        const intL inside = column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
-                            (intL)(y + dy) < planes.height;
+        const intL inside = insideFrame(planes, column + dx, (intL)(y + dy));
         neighbour = select3(inside, neighbour, centre);
       }
       if (dx == 0 || dy == 0) {
@@ -106,7 +105,7 @@ QUELL_INLINE HistoryTrust trustHistory(__global const uchar* reprojectionMask, P
     if (y + dy < 0 || y + dy >= planes.height) continue;
     for (int dx = -1; dx <= 1; ++dx) {
       const intL mask = loadByteLanes(reprojectionMask + index + dy * planes.pitch + dx);
-      const intL inside = column + dx >= 0 && column + dx < planes.width;
+      const intL inside = insideColumns(planes, column + dx);
       accepted += inside && (mask & QUELL_HISTORY_REJECTED) == 0 ? (intL)(1) : (intL)(0);
     }
   }
@@ -140,8 +139,7 @@ QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global con
       const int neighbour = index + dy * planes.pitch + dx;
       floatL depth = depthOrFar(loadLanes(viewDepth + neighbour), params.backgroundDepth);
       if (atBorder) {
-        const intL inside = column + dx >= 0 && column + dx < planes.width && (intL)(y + dy) >= 0 &&
-                            (intL)(y + dy) < planes.height;
+        const intL inside = insideFrame(planes, column + dx, (intL)(y + dy));
         depth = inside ? depth : own;
       }
       prev.silhouette = prev.silhouette || depth < QUELL_NEARER * own || own < QUELL_NEARER * depth;
@@ -153,11 +151,6 @@ QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global con
     }
   }
   return prev;
-}
-
-// Whether a pixel at index (x, y) would cover a part of the frame.
-QUELL_INLINE intL touchesFrame(PlaneParams planes, floatL x, floatL y) {
-  return x > -1.0f && x < (float)planes.width && y > -1.0f && y < (float)planes.height;
 }
 
 QUELL_INLINE intL isSlow(PixelPrev prev, int x, int y) {
@@ -190,7 +183,7 @@ __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
 
   const HistoryTrust trust =
       trustHistory(reprojectionMask, planes, x, y, prev.silhouette && isSlow(prev, x, y));
-  const intL hasHistory = trust.counts && touchesFrame(planes, prev.x, prev.y);
+  const intL hasHistory = trust.counts && touchesFrame(prev.x, prev.y, planes.width, planes.height);
   const float3L sampled = sampleBicubic(antialiasedPrev, planes, bicubicTaps(planes, prev.x, prev.y));
   float3L history = toYCoCg(sampled);
   history.x = clampToMean(history.x, box.low.x, cross.low.x, box.high.x, cross.high.x);

@@ -41,7 +41,7 @@ QUELL_INLINE MomentSums spatialMoments(__global const float* moments, __global c
       const int index = planeIndex(planes, x + dx, y + dy);
       const float inverseDistance = dx == 0 && dy == 0 ? 0.0f : 1.0f / sqrt((float)(dx * dx + dy * dy));
       const intL column = x + dx + LANE_INDEX;
-      const intL inside = column >= 0 && column < planes.width;
+      const intL inside = insideColumns(planes, column);
       const floatL penalty = surfacePenalty(centre, params.stops,
                                             loadLanes3(guides + QUELL_GUIDE_NORMAL * stride, index, stride),
                                             loadLanes(viewDepth + index), inverseDistance);
@@ -69,7 +69,7 @@ QUELL_INLINE floatL prefilterLuminance(__global const float* irradiance, __globa
     for (int dx = -1; dx <= 1; ++dx) {
       const int index = planeIndex(planes, x + dx, y + dy);
       const intL column = x + dx + LANE_INDEX;
-      const intL inside = column >= 0 && column < planes.width;
+      const intL inside = insideColumns(planes, column);
       const float binomial = (float)((2 - abs(dx)) * (2 - abs(dy)));
       const floatL weight = inside ? binomial * loadLanes(weights + index) : ZERO_LANES;
       sum += weight * luminance(loadLanes3(irradiance, index, planes.stride));

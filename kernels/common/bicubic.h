@@ -31,7 +31,7 @@ QUELL_INLINE BicubicTaps bicubicTaps(PlaneParams planes, floatL x, floatL y) {
   const intL row = minLanesInt(floorLanes(insideY), (intL)(max(planes.height - 2, 0)));
   catmullRomWeights(insideX - TO_FLOAT(column), column, planes.width, taps.weightX);
   catmullRomWeights(insideY - TO_FLOAT(row), row, planes.height, taps.weightY);
-  taps.plan = planGather((row + QUELL_PLANE_MARGIN_ROWS) * planes.pitch + QUELL_PLANE_MARGIN + column);
+  taps.plan = planGather(planeIndexOfLanes(planes, column, row));
   return taps;
 }
 

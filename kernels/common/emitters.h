@@ -23,7 +23,7 @@
 QUELL_INLINE floatL isAlike(FrameImages images, PlaneParams planes, float3L light, int x, int y, int dx,
                             int dy) {
   const intL column = x + dx + LANE_INDEX;
-  const intL inside = column >= 0 && column < planes.width;
+  const intL inside = insideColumns(planes, column);
   if (y + dy < 0 || y + dy >= planes.height) return ZERO_LANES;
   const float3L neighbour = GATHER_IMAGE(radiance, RADIANCE, inside ? column : (intL)(0), y + dy);
   const floatL most = QUELL_NOISELESS_DIFFERENCE * maxLanes(maxLanes(light.x, light.y), light.z);

@@ -10,6 +10,24 @@ QUELL_INLINE int planeIndex(PlaneParams planes, int x, int y) {
   return (y + QUELL_PLANE_MARGIN_ROWS) * planes.pitch + QUELL_PLANE_MARGIN + x;
 }
 
+// The same of a pixel per lane.
+QUELL_INLINE intL planeIndexOfLanes(PlaneParams planes, intL column, intL row) {
+  return (row + QUELL_PLANE_MARGIN_ROWS) * planes.pitch + QUELL_PLANE_MARGIN + column;
+}
+
+// Whether pixels lie in the frame.
+QUELL_INLINE intL insideColumns(PlaneParams planes, intL column) {
+  return column >= 0 && column < planes.width;
+}
+QUELL_INLINE intL insideFrame(PlaneParams planes, intL column, intL row) {
+  return insideColumns(planes, column) && row >= 0 && row < planes.height;
+}
+
+// Whether pixels at indices (x, y) would cover a part of the frame.
+QUELL_INLINE intL touchesFrame(floatL x, floatL y, int width, int height) {
+  return x > -1.0f && x < (float)width && y > -1.0f && y < (float)height;
+}
+
 // Begins a kernel whose work-items take QUELL_LANES pixels of a row each: declares planes, stride, x, y and index, the
 // element of the first pixel, and returns where there is no pixel.
 #define BEGIN_PIXELS(planeParams)                      \

@@ -47,7 +47,7 @@ QUELL_INLINE floatL roundToSubpixel(floatL v) {
 // 0 and returns false.
 QUELL_INLINE intL placeInFrame(intL wanted, floatL x, floatL y, int width, int height, floatL* xPlaced,
                                floatL* yPlaced) {
-  const intL inside = wanted && x > -1.0f && x < (float)width && y > -1.0f && y < (float)height;
+  const intL inside = wanted && touchesFrame(x, y, width, height);
   const floatL xRounded = roundToSubpixel(inside ? x : ZERO_LANES);
   const floatL yRounded = roundToSubpixel(inside ? y : ZERO_LANES);
   // Rounding may reach the border itself, where no tap is left.
@@ -107,7 +107,7 @@ QUELL_INLINE BilinearTaps bilinearTaps(PlaneParams planes, floatL x, floatL y) {
   taps.inFrame[1] = right && top;
   taps.inFrame[2] = left && bottom;
   taps.inFrame[3] = right && bottom;
-  taps.plan = planGather((row + QUELL_PLANE_MARGIN_ROWS) * planes.pitch + QUELL_PLANE_MARGIN + column);
+  taps.plan = planGather(planeIndexOfLanes(planes, column, row));
   return taps;
 }
 

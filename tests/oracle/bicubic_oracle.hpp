@@ -27,12 +27,15 @@ inline std::vector<CubicTap> bicubicTaps(Size size, double x, double y) {
   const double insideX = std::clamp(x, 0.0, size.width - 1.0),
                insideY = std::clamp(y, 0.0, size.height - 1.0);
   std::vector<CubicTap> taps;
-  forEachPixel(size, [&](int column, int row) {
-    const double dx = column - insideX, dy = row - insideY;
-    const bool corner = std::abs(dx) > 1.0 && std::abs(dy) > 1.0;
-    const double weight = corner ? 0.0 : catmullRom(dx) * catmullRom(dy);
-    if (weight != 0.0) taps.push_back({column, row, weight});
-  });
+  for (int row = std::max(int(insideY) - 1, 0); row <= std::min(int(insideY) + 2, size.height - 1); ++row) {
+    for (int column = std::max(int(insideX) - 1, 0); column <= std::min(int(insideX) + 2, size.width - 1);
+         ++column) {
+      const double dx = column - insideX, dy = row - insideY;
+      const bool corner = std::abs(dx) > 1.0 && std::abs(dy) > 1.0;
+      const double weight = corner ? 0.0 : catmullRom(dx) * catmullRom(dy);
+      if (weight != 0.0) taps.push_back({column, row, weight});
+    }
+  }
   return taps;
 }
 
