@@ -4,8 +4,8 @@
 //          met in the same way in every frame and needs no antialiasing over time.
 // In:      the caller's radiance (or diffuse and glossy radiance), emission, albedo and gloss colour; surfaces (see
 //          common/surfaces.h).
-// Out:     radiance in the caller's layout, linear and encoded for display; as 3 planes next to surfaces, which bound their
-//          history with it, and as history of temporal_antialiasing (3 planes).
+// Out:     radiance in the caller's layout, linear and encoded for display; as 3 planes near surfaces, where it bounds the
+//          history of antialiasing, and as history of temporal_antialiasing (3 planes).
 #include "background_ports.h"
 #include "common/display_encoding.h"
 #include "common/material.h"
@@ -31,6 +31,13 @@ QUELL_INLINE float3L backgroundRadiance(FrameImages images, int x, int y, int la
   return sum;
 }
 
+// Whether antialiasing looks at these pixels: it works on background next to surfaces as well, and there on the 3x3
+// pixels around.
+QUELL_INLINE int isSeenByAntialiasing(__global const uchar* surfaces, PlaneParams planes, int x, int y) {
+  const int reach = 2;
+  return anySurface(surfaces, planes, x - reach, y - reach, x + QUELL_LANES - 1 + reach, y + reach);
+}
+
 __kernel void background(STAGE_ARGUMENTS(BACKGROUND) BackgroundParams params) {
   BEGIN_PIXELS(params.planes);
   BIND_FRAME_IMAGES(BACKGROUND, params.images);
@@ -38,7 +45,7 @@ __kernel void background(STAGE_ARGUMENTS(BACKGROUND) BackgroundParams params) {
   const int lanes = min(QUELL_LANES, planes.width - x);
   const float3L radiance = clamp3(backgroundRadiance(images, x, y, lanes), 0.0f, QUELL_MAX_RADIANCE);
 #if ANTIALIAS
-  if (params.finish == 0 || isNearSurface(surfaces, planes, x, y))
+  if (params.finish == 0 || isSeenByAntialiasing(surfaces, planes, x, y))
     storeLanes3(radiance, beforeAntialiasing, index, stride);
   if (params.finish != 0) storeLanes3(radiance, antialiased, index, stride);
 #endif

@@ -13,7 +13,8 @@
 //          and where the nearest surface of the 3x3 pixels was (Karis 2014), not where the pixel's own was. A pixel that was
 //          outside the frame before keeps the newest colour (the reference divides 0 by 0 there), and so does one whose
 //          history accumulation has rejected, if it did so for the pixels around as well: alone it is a silhouette, which
-//          antialiasing is for.
+//          antialiasing is for. Background keeps the newest colour but next to surfaces, unless the camera's rays are
+//          jittered: it is met in the same way in every frame.
 #include "common/bicubic.h"
 #include "common/display_encoding.h"
 #include "common/guides.h"
@@ -86,52 +87,36 @@ QUELL_INLINE Neighbourhood boundsAround(__global const float* radiance, PlanePar
   return result;
 }
 
-// How far the history of a pixel can be trusted.
-typedef struct HistoryTrust {
-  intL counts;  // inside the frame before, and not only history of something else was met there and around
-  intL steady;  // most of the 3x3 pixels met their own history; asked at silhouettes only
-} HistoryTrust;
-
-QUELL_INLINE HistoryTrust trustHistory(__global const uchar* reprojectionMask, PlaneParams planes, int x,
-                                       int y, intL silhouette) {
-  const int index = planeIndex(planes, x, y);
-  const intL own = loadByteLanes(reprojectionMask + index);
-  const intL rejected = (own & QUELL_HISTORY_REJECTED) != 0;
-  HistoryTrust trust = {(own & QUELL_PREV_IN_FRAME) != 0, silhouette};
-  if (!anyLane(rejected || silhouette)) return trust;
-  const intL column = x + LANE_INDEX;
-  intL accepted = (intL)(0);
-  for (int dy = -1; dy <= 1; ++dy) {
-    if (y + dy < 0 || y + dy >= planes.height) continue;
-    for (int dx = -1; dx <= 1; ++dx) {
-      const intL mask = loadByteLanes(reprojectionMask + index + dy * planes.pitch + dx);
-      const intL inside = insideColumns(planes, column + dx);
-      accepted += inside && (mask & QUELL_HISTORY_REJECTED) == 0 ? (intL)(1) : (intL)(0);
-    }
-  }
-  trust.counts = trust.counts && (!rejected || accepted > 0);
-  trust.steady = silhouette && accepted >= QUELL_STEADY_PIXELS;
-  return trust;
-}
-
 QUELL_INLINE floatL depthOrFar(floatL depth, float backgroundDepth) {
   return depth != backgroundDepth ? depth : (floatL)(FLT_MAX);
 }
 
 typedef struct PixelPrev {
   floatL x, y;
+  intL inFrame;     // whether there is such a place
   intL silhouette;  // whether the pixel or one around is clearly nearer than the other
 } PixelPrev;
 
+QUELL_INLINE intL isPrevInFrame(__global const uchar* reprojectionMask, int index) {
+  return (loadByteLanes(reprojectionMask + index) & QUELL_PREV_IN_FRAME) != 0;
+}
+
 // Where the nearest surface of the 3x3 pixels around would have shown this pixel: a silhouette moves with what is in
-// front, on both of its sides. The pixel's own place counts unless a neighbour is clearly nearer.
-QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global const float* viewDepth,
-                                   TemporalAntialiasingParams params, int x, int y, int atBorder) {
+// front, on both of its sides. The pixel's own place counts unless a neighbour is clearly nearer; background that
+// takes no part has none.
+QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global const uchar* reprojectionMask,
+                                   __global const float* viewDepth, TemporalAntialiasingParams params, int x,
+                                   int y, int atBorder) {
   const PlaneParams planes = params.planes;
   const int index = planeIndex(planes, x, y);
   const intL column = x + LANE_INDEX;
-  PixelPrev prev = {loadLanes(pixelPrev + index), loadLanes(pixelPrev + index + planes.stride), (intL)(0)};
   const floatL own = depthOrFar(loadLanes(viewDepth + index), params.backgroundDepth);
+  const intL takesPart = params.antialiasBackground || own != FLT_MAX;
+  PixelPrev prev;
+  prev.x = takesPart ? loadLanes(pixelPrev + index) : TO_FLOAT(column);
+  prev.y = takesPart ? loadLanes(pixelPrev + index + planes.stride) : (floatL)((float)y);
+  prev.inFrame = takesPart && isPrevInFrame(reprojectionMask, index);
+  prev.silhouette = (intL)(0);
   floatL nearest = own;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
@@ -148,9 +133,37 @@ QUELL_INLINE PixelPrev nearestPrev(__global const float* pixelPrev, __global con
       nearest = nearer ? depth : nearest;
       prev.x = nearer ? loadLanes(pixelPrev + neighbour) - (float)dx : prev.x;
       prev.y = nearer ? loadLanes(pixelPrev + neighbour + planes.stride) - (float)dy : prev.y;
+      prev.inFrame = nearer ? isPrevInFrame(reprojectionMask, neighbour) : prev.inFrame;
     }
   }
   return prev;
+}
+
+// How far the history of a pixel can be trusted.
+typedef struct HistoryTrust {
+  intL counts;  // not only history of something else was met in the pixel and around
+  intL steady;  // most of the 3x3 pixels met their own history; asked at silhouettes only
+} HistoryTrust;
+
+QUELL_INLINE HistoryTrust trustHistory(__global const uchar* reprojectionMask, PlaneParams planes, int x,
+                                       int y, intL silhouette) {
+  const int index = planeIndex(planes, x, y);
+  const intL rejected = (loadByteLanes(reprojectionMask + index) & QUELL_HISTORY_REJECTED) != 0;
+  HistoryTrust trust = {!rejected, silhouette};
+  if (!anyLane(rejected || silhouette)) return trust;
+  const intL column = x + LANE_INDEX;
+  intL accepted = (intL)(0);
+  for (int dy = -1; dy <= 1; ++dy) {
+    if (y + dy < 0 || y + dy >= planes.height) continue;
+    for (int dx = -1; dx <= 1; ++dx) {
+      const intL mask = loadByteLanes(reprojectionMask + index + dy * planes.pitch + dx);
+      const intL inside = insideColumns(planes, column + dx);
+      accepted += inside && (mask & QUELL_HISTORY_REJECTED) == 0 ? (intL)(1) : (intL)(0);
+    }
+  }
+  trust.counts = trust.counts || accepted > 0;
+  trust.steady = silhouette && accepted >= QUELL_STEADY_PIXELS;
+  return trust;
 }
 
 QUELL_INLINE intL isSlow(PixelPrev prev, int x, int y) {
@@ -165,25 +178,27 @@ QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA
 __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
                                         TemporalAntialiasingParams params) {
   BEGIN_PIXELS(params.planes);
-  if (params.antialiasBackground == 0) LEAVE_OUT_BACKGROUND(NOTHING_ELSE)  // the stage background has done it
-  const float3L newest = loadLanes3(beforeAntialiasing, index, stride);
+  if (params.antialiasBackground == 0)
+    LEAVE_OUT_FAR_BACKGROUND  // the stage background has done it
+        const float3L newest = loadLanes3(beforeAntialiasing, index, stride);
   const float3L centre = toYCoCg(newest);
   const int atBorder = x == 0 || y == 0 || x + QUELL_LANES >= planes.width || y == planes.height - 1;
   Neighbourhood around;
   PixelPrev prev;
   if (atBorder) {
     around = boundsAround(beforeAntialiasing, planes, x, y, centre, 1);
-    prev = nearestPrev(pixelPrev, viewDepth, params, x, y, 1);
+    prev = nearestPrev(pixelPrev, reprojectionMask, viewDepth, params, x, y, 1);
   } else {
     around = boundsAround(beforeAntialiasing, planes, x, y, centre, 0);
-    prev = nearestPrev(pixelPrev, viewDepth, params, x, y, 0);
+    prev = nearestPrev(pixelPrev, reprojectionMask, viewDepth, params, x, y, 0);
   }
   const Bounds box = around.box;
   const Bounds cross = around.cross;
 
   const HistoryTrust trust =
       trustHistory(reprojectionMask, planes, x, y, prev.silhouette && isSlow(prev, x, y));
-  const intL hasHistory = trust.counts && touchesFrame(prev.x, prev.y, planes.width, planes.height);
+  const intL hasHistory =
+      prev.inFrame && trust.counts && touchesFrame(prev.x, prev.y, planes.width, planes.height);
   const float3L sampled = sampleBicubic(antialiasedPrev, planes, bicubicTaps(planes, prev.x, prev.y));
   float3L history = toYCoCg(sampled);
   history.x = clampToMean(history.x, box.low.x, cross.low.x, box.high.x, cross.high.x);

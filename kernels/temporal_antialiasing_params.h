@@ -14,7 +14,7 @@ typedef struct TemporalAntialiasingParams {
   QuellFloat silhouetteWeight;  // the same where surfaces clearly apart meet
   QuellFloat backgroundDepth;   // what pixels without a surface have as their view depth
   QuellInt
-      antialiasBackground;  // whether background takes part, as it must where rays are jittered; only with SKIP
+      antialiasBackground;  // whether background takes part, as it must where rays are jittered; 1 without SKIP
 } TemporalAntialiasingParams;
 
 QUELL_NAMESPACE_END

@@ -17,7 +17,7 @@ bool isComplete(const cl::Event& event) {
 /// Share of a stage's work that it leaves out of a frame of this content; nothing where it leaves out none.
 std::optional<double> skippedShare(Coverage coverage, const Content& content) {
   if (coverage == Coverage::Everything) return std::nullopt;
-  return coverage == Coverage::Surfaces ? 1.0 - content.surfaces : content.surfaces;
+  return 1.0 - coveredShare(coverage, content);
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ BackgroundMap Denoiser::Implementation::backgroundMap() const {
   const std::vector<std::string> labels = m_pipeline.stageLabels();
   const std::vector<Coverage> coverages = m_pipeline.coverages(m_latestFrame);
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (coverages[i] == Coverage::Surfaces) map.stages.push_back(labels[i]);
+    if (leavesOutBackground(coverages[i])) map.stages.push_back(labels[i]);
   const auto [columns, rows] = pixelItems(m_pipeline.configuration());
   map.itemWidth = m_pipeline.configuration().device.lanes;
   map.columns = static_cast<int>(columns);

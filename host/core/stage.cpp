@@ -117,11 +117,27 @@ Coverage coverageOf(const Stage& stage, const Configuration& configuration) {
   return Coverage::Everything;
 }
 
+bool leavesOutBackground(Coverage coverage) {
+  return coverage == Coverage::Surfaces || coverage == Coverage::AroundSurfaces;
+}
+
+double coveredShare(Coverage coverage, const Content& content) {
+  switch (coverage) {
+    case Coverage::Everything:
+      return 1.0;
+    case Coverage::Surfaces:
+      return content.surfaces;
+    case Coverage::AroundSurfaces:
+      return content.surfaces + (1.0 - content.surfaces) * content.nearSurfaces;
+    case Coverage::Background:
+      return 1.0 - content.surfaces;
+  }
+  return 1.0;
+}
+
 std::uint64_t stageBytes(const Stage& stage, const Configuration& configuration, const Content& content) {
   const Coverage coverage = coverageOf(stage, configuration);
-  const double share = coverage == Coverage::Surfaces     ? content.surfaces
-                       : coverage == Coverage::Background ? 1.0 - content.surfaces
-                                                          : 1.0;
+  const double share = coveredShare(coverage, content);
   double bytes = 0.0;
   for (const Port& port : stage.ports(configuration, content)) {
     const bool perPixel = port.isImage() || port.extent.planes > 0;

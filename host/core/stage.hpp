@@ -116,7 +116,12 @@ class FrameRun {
 };
 
 /// What a stage that has the port `surfaces` works on.
-enum class Coverage { Everything, Surfaces, Background };
+enum class Coverage {
+  Everything,
+  Surfaces,
+  AroundSurfaces,  ///< and the background next to them
+  Background,
+};
 
 class Stage {
  public:
@@ -134,6 +139,11 @@ class Stage {
   /// Enqueues the stage's kernels for one frame.
   virtual void enqueue(FrameRun& run) = 0;
 };
+
+/// Whether it is less than everything because background is left out, if not all of it.
+bool leavesOutBackground(Coverage coverage);
+/// Share of a frame of this content, 0 to 1.
+double coveredShare(Coverage coverage, const Content& content);
 
 /// What the stage works on: everything, unless it reads the buffer of surfaces.
 Coverage coverageOf(const Stage& stage, const Configuration& configuration);

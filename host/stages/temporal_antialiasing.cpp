@@ -17,7 +17,7 @@ TemporalAntialiasing::TemporalAntialiasing(const Configuration& configuration, c
 }
 
 Coverage TemporalAntialiasing::coverage(const Frame& frame) const {
-  return isJittered(frame.camera) ? Coverage::Everything : Coverage::Surfaces;
+  return isJittered(frame.camera) ? Coverage::Everything : Coverage::AroundSurfaces;
 }
 
 TemporalAntialiasingParams TemporalAntialiasing::params(const FrameRun& run) const {
@@ -28,7 +28,7 @@ TemporalAntialiasingParams TemporalAntialiasing::params(const FrameRun& run) con
   params.newestWeight = static_cast<float>(m_newestWeight);
   params.silhouetteWeight = static_cast<float>(m_silhouetteWeight);
   params.backgroundDepth = run.reprojection.viewDepth.w;
-  params.antialiasBackground = isJittered(run.frame.camera) ? 1 : 0;
+  params.antialiasBackground = SKIP == 0 || isJittered(run.frame.camera) ? 1 : 0;
   return params;
 }
 

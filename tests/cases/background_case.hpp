@@ -19,7 +19,7 @@ class BackgroundCase : public StageCase {
 
   bool isBackground(int x, int y) const;
   /// Whether a work-item with a surface is next to this pixel's.
-  bool isNearSurface(int x, int y) const;
+  bool isSeenByAntialiasing(int x, int y) const;
 
   void upload() override;
   Comparison compare() override;

@@ -36,12 +36,16 @@ const Port* findSurfaces(const StageHarness& harness) {
 }  // namespace
 
 Holes::Holes(const StageHarness& harness)
-    : m_size(harness.size()), m_lanes(harness.configuration().device.lanes), m_leftOut(m_size, 1) {
+    : m_size(harness.size()),
+      m_lanes(harness.configuration().device.lanes),
+      m_background(m_size, 1),
+      m_leftOut(m_size, 1) {
   const Port* port = findSurfaces(harness);
   const Frame& frame = harness.configuration().frame;
   if (port == nullptr || harness.stage().coverage(frame) == Coverage::Background) return;
   m_finds = port->access == Access::Write;
-  m_leavesOut = m_finds || harness.stage().coverage(frame) == Coverage::Surfaces;
+  m_leavesOut = m_finds || leavesOutBackground(harness.stage().coverage(frame));
+  const bool alsoAround = harness.stage().coverage(frame) == Coverage::AroundSurfaces;
   m_jittered = isJittered(frame.camera);
   m_motion = frame.motion.present();
   m_surfaces = Planes({(m_size.width + m_lanes - 1) / m_lanes, m_size.height}, 1);
@@ -49,7 +53,10 @@ Holes::Holes(const StageHarness& harness)
   forEachPixel(m_size, [&](int x, int y) {
     if (guides.at(QUELL_GUIDE_WEIGHT, x, y) > 0.0f) m_surfaces.at(0, x / m_lanes, y) = 1.0f;
   });
-  forEachPixel(m_size, [&](int x, int y) { m_leftOut.at(0, x, y) = char(!hasSurface(x / m_lanes, y)); });
+  forEachPixel(m_size, [&](int x, int y) {
+    m_background.at(0, x, y) = char(!hasSurface(x / m_lanes, y));
+    m_leftOut.at(0, x, y) = char(m_background.at(0, x, y) && !(alsoAround && isNearSurface(x, y)));
+  });
 }
 
 bool Holes::hasSurface(int column, int row) const {
@@ -64,10 +71,19 @@ bool Holes::isNearSurface(int x, int y) const {
   return false;
 }
 
+// Of a work-item within the reach of 3x3 pixels around background that is next to a surface.
+bool Holes::isSeenByAntialiasing(int x, int y) const {
+  const int first = x / m_lanes * m_lanes;
+  for (int row = y - 2; row <= y + 2; ++row)
+    for (int column = std::max(first - 2, 0); column <= first + m_lanes + 1; ++column)
+      if (hasSurface(column / m_lanes, row)) return true;
+  return false;
+}
+
 void Holes::clear(Planes& planes) const {
   if (!m_leavesOut) return;
   forEachPlane(planes, [&](int plane, int x, int y) {
-    if (m_leftOut.at(0, x, y)) planes.at(plane, x, y) = 0.0f;
+    if (m_background.at(0, x, y)) planes.at(plane, x, y) = 0.0f;
   });
 }
 
@@ -88,7 +104,8 @@ bool Holes::isKept(const std::string& port, int plane, int x, int y) const {
   if (isGuides(port))
     return plane >= QUELL_GUIDE_WEIGHT ||
            (m_motion && plane >= QUELL_GUIDE_NORMAL && plane < QUELL_GUIDE_NORMAL + 3);
-  if (port == "variance" || port == "beforeAntialiasing") return isNearSurface(x, y);
+  if (port == "variance") return isNearSurface(x, y);
+  if (port == "beforeAntialiasing") return isSeenByAntialiasing(x, y);
   return port == "tapWeights" || port == "viewDepth" || port == "reprojectionMask" ||
          port == "historyLength" || port == "historyLengthPrev";
 }
@@ -115,7 +132,7 @@ void Holes::dig(StageHarness& harness) {
     if (port.output != nullptr) m_imagesBefore[port.name] = harness.output(port.output);
     if (port.isImage() || port.extent.planes == 0) continue;
     if (m_finds && port.access == Access::Previous) spoil(harness, port.name, before);
-    if (port.access == Access::Read || port.access == Access::Update) spoil(harness, port.name, m_leftOut);
+    if (port.access == Access::Read || port.access == Access::Update) spoil(harness, port.name, m_background);
     if (port.writes()) m_before[port.name] = harness.download(port.name);
   }
 }

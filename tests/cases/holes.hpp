@@ -32,6 +32,7 @@ class Holes {
  private:
   bool hasSurface(int column, int row) const;
   bool isNearSurface(int x, int y) const;
+  bool isSeenByAntialiasing(int x, int y) const;
   /// Where the frame before left out background, for a stage that finds it.
   BasicPlanes<char> leftOutBefore(const StageHarness& harness) const;
   bool isKept(const std::string& port, int plane, int x, int y) const;
@@ -44,8 +45,9 @@ class Holes {
   bool m_leavesOut = false;
   bool m_jittered = false;
   bool m_motion = false;
-  Planes m_surfaces;  // 1 in work-items with a surface
-  BasicPlanes<char> m_leftOut;
+  Planes m_surfaces;               // 1 in work-items with a surface
+  BasicPlanes<char> m_background;  // pixels of the others
+  BasicPlanes<char> m_leftOut;     // those of them that the stage leaves out
   std::map<std::string, Planes> m_before;
   std::map<std::string, io::Image> m_imagesBefore;
 };

@@ -40,6 +40,7 @@ TemporalAntialiasingCase::TemporalAntialiasingCase(const CaseOptions& options, b
   inputs.reprojectionMask = motion.reprojectionMask;
   inputs.viewDepth = randomDepths(options.size, options.seed + 3);
   m_holes.clear(inputs.viewDepth);
+  inputs.antialiasBackground = options.skip != Skip::On;
   const Settings& settings = m_harness.configuration().settings;
   inputs.newestWeight = float(settings.get(jitteredRays ? "taaJitteredWeight" : "taaNewestWeight"));
   inputs.silhouetteWeight = float(settings.get("taaSilhouetteWeight"));

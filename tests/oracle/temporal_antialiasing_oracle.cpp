@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "kernels/accumulate_noisy_params.h"
@@ -61,8 +62,13 @@ int acceptedAround(const Planes& mask, int x, int y) {
 
 struct Place {
   double x, y;
+  bool inFrame = false;
   bool silhouette = false;
 };
+
+bool isPrevInFrame(const Planes& mask, int x, int y) {
+  return (int(mask.at(0, x, y)) & QUELL_PREV_IN_FRAME) != 0;
+}
 
 // View depth, endless where there is no surface.
 double depthAt(const TemporalAntialiasingInputs& inputs, int x, int y) {
@@ -73,9 +79,15 @@ double depthAt(const TemporalAntialiasingInputs& inputs, int x, int y) {
 bool clearlyNearer(double depth, double than) { return depth < 0.97 * than; }
 
 // Where the pixel was, if it moved as the nearest surface around; what is nearer by less than 3 % is the same one.
+// Background that takes no part was nowhere, but next to a surface.
 Place nearestPrev(const TemporalAntialiasingInputs& inputs, int x, int y) {
-  Place prev{inputs.pixelPrev.at(0, x, y), inputs.pixelPrev.at(1, x, y)};
   const double own = depthAt(inputs, x, y);
+  Place prev{double(x), double(y)};
+  if (inputs.antialiasBackground || std::isfinite(own)) {
+    prev.x = inputs.pixelPrev.at(0, x, y);
+    prev.y = inputs.pixelPrev.at(1, x, y);
+    prev.inFrame = isPrevInFrame(inputs.reprojectionMask, x, y);
+  }
   double nearest = own;
   for (int row = std::max(y - 1, 0); row <= std::min(y + 1, inputs.denoised.height - 1); ++row) {
     for (int column = std::max(x - 1, 0); column <= std::min(x + 1, inputs.denoised.width - 1); ++column) {
@@ -85,6 +97,7 @@ Place nearestPrev(const TemporalAntialiasingInputs& inputs, int x, int y) {
       nearest = depth;
       prev.x = double(inputs.pixelPrev.at(0, column, row)) - (column - x);
       prev.y = double(inputs.pixelPrev.at(1, column, row)) - (row - y);
+      prev.inFrame = isPrevInFrame(inputs.reprojectionMask, column, row);
     }
   }
   return prev;
@@ -112,10 +125,9 @@ ExactPlanes temporalAntialiasingOracle(const TemporalAntialiasingInputs& inputs)
   forEachPixel(inputs.denoised.size(), [&](int x, int y) {
     Vector3d color = colorAt(inputs.denoised, x, y);
     const Place prev = nearestPrev(inputs, x, y);
-    const bool inFrame = (int(inputs.reprojectionMask.at(0, x, y)) & QUELL_PREV_IN_FRAME) != 0;
     const int accepted = acceptedAround(inputs.reprojectionMask, x, y);
     const bool met = accepted > 0 || !isRejected(inputs.reprojectionMask, x, y);
-    if (inFrame && met && touchesFrame(inputs.denoised.size(), prev)) {
+    if (prev.inFrame && met && touchesFrame(inputs.denoised.size(), prev)) {
       const Vector3d history = sample(inputs.antialiasedPrev, prev);
       const Bounds bounds = neighbourhood(inputs.denoised, x, y);
       const Vector3d clamped = toYCoCg(history).cwiseMax(bounds.low).cwiseMin(bounds.high);

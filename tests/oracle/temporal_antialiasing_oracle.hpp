@@ -12,6 +12,7 @@ struct TemporalAntialiasingInputs {
   Planes pixelPrev;         ///< 2 planes
   Planes reprojectionMask;  ///< 1 plane
   Planes viewDepth;         ///< 1 plane; 0: background
+  bool antialiasBackground = true;
   double newestWeight = 0.2;
   double silhouetteWeight = 0.2;
 };
