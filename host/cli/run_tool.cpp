@@ -33,7 +33,7 @@ int runTool(int argc, const char* const* argv) {
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error);
+    return app.exit(error) == 0 ? 0 : 1;  // not CLI11's own numbers: 1 is an error, whatever its kind
   } catch (const std::exception& error) {
     fmt::print(stderr, "quell: {}\n", error.what());
     return 1;

@@ -3,8 +3,8 @@
 
 namespace quell::cli {
 
-/// Parses the command line and runs the command. Returns the exit code: 0 success, 1 an error that was
-/// printed to standard error, CLI11's codes (100 and up) for usage errors.
+/// Parses the command line and runs the command. Returns the exit code: 0 success, 1 an error, in the command line too, that was
+/// printed to standard error; 2 for what `quell check` calls wrong.
 int runTool(int argc, const char* const* argv);
 
 }  // namespace quell::cli

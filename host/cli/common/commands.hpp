@@ -1,5 +1,5 @@
 // The commands of the quell tool. Each adds itself to the command line; its callback throws quell::Error,
-// which main() turns into a message and exit code 1 (CLI11 answers usage errors itself).
+// which main() turns into a message and exit code 1, as it does with errors in the command line.
 #pragma once
 
 // Declarations alone: what CLI11 defines inline in its further headers takes seconds to compile, once in run_tool.cpp.
