@@ -1,5 +1,6 @@
-// What --help says is all there is, and the README calls nothing that is not there.
+// What --help says is all there is, and the documentation calls nothing that is not there.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -19,8 +20,8 @@ namespace {
 
 using Names = std::set<std::string>;
 
-// What the options of other programs in the README are called by.
-const std::regex kOtherPrograms("cmake|ctest|pkg-config|quell_bench");
+// What the options of other programs are called by.
+const std::regex kOtherPrograms("cmake|ctest|pkg-config|quell_bench|gpu_resources");
 
 std::string helpOf(const std::string& command) {
   std::vector<const char*> argv = {"quell"};
@@ -113,12 +114,16 @@ TEST_CASE("help lists every method with all of its settings", "[cli]") {
   }
 }
 
-TEST_CASE("the README names no option that the tool does not have", "[cli]") {
+TEST_CASE("the documentation names no option that the tool does not have", "[cli]") {
   const std::map<std::string, Names> options = optionsInHelp();
   Names all;
   for (const auto& [command, names] : options) all.insert(names.begin(), names.end());
-  std::string text = io::readFile(QUELL_DATA_DIR "/../README.md");
+  const std::string root = QUELL_DATA_DIR "/../";
+  std::string text = io::readFile(root + "README.md");
+  for (const auto& page : std::filesystem::directory_iterator(root + "docs"))
+    if (page.path().extension() == ".md") text += io::readFile(page.path().string());
   text = std::regex_replace(text, std::regex("\\\\\n"), " ");
+  text = std::regex_replace(text, std::regex("  +# .*"), "");  // what a call is followed by
   std::istringstream lines(text);
   int calls = 0;
   for (std::string line; std::getline(lines, line);) {
