@@ -50,7 +50,8 @@
         ("albedo", "RGB", HALF, "albedo"),                                                                             \
         ("1", "reflectance", "0 .. 1", "counts as 0"))                                                                 \
   /* Tint of the glossy lobe. With one signal irradiance is (radiance - emission) / (albedo + gloss colour), with two
-     (radiance - emission) / albedo and glossyRadiance / gloss colour; a factor that is not given is 1. */             \
+     (radiance - emission) / albedo and glossyRadiance / gloss colour; a factor that is not given is 1. With one
+     signal a gloss colour that exceeds 1 together with albedo is taken for one without Fresnel term: 0.04 of it. */   \
   IMAGE(glossColor, GLOSSCOLOR, 1, 4, VALUES, OPTIONAL,                                                                \
         ("gloss_color", "RGB", HALF, "gloss_color"),                                                                   \
         ("1", "reflectance", "0 .. 1", "counts as 0"))                                                                 \

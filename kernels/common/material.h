@@ -11,6 +11,11 @@
 #include "common/frame_images.h"
 #include "common/planes.h"
 
+// Reflectance of dielectrics at normal incidence (index of refraction 1.5), and by how much albedo and gloss colour
+// together must exceed 1 for gloss colour to be taken for one without it; in between by degrees.
+#define QUELL_DIELECTRIC_REFLECTANCE 0.04f
+#define QUELL_SURE_EXCESS 0.1f
+
 typedef struct Signal {
   float3L value;    // without emission, [0, 65504]; 0 where it is broken
   float3L divisor;  // filters see value / divisor; see common/demodulation.h
@@ -85,6 +90,15 @@ QUELL_INLINE float3L includedEmission(float3L emission, float3L radiance) {
 #endif
 }
 
+// Gloss colour as a reflectance. No surface reflects more than all light: where albedo and gloss colour say so, the latter
+// lacks the Fresnel term (Blender before 4.0 has 1 for plastics), and a dielectric reflects that little of it.
+QUELL_INLINE float3L plausibleGloss(float3L albedo, float3L gloss) {
+  const float3L over = add3(subtract3(albedo, splat3(1.0f)), gloss);  // so that little is lost to rounding
+  const floatL excess = maxLanes(maxLanes(over.x, over.y), over.z);
+  const floatL share = clampLanes(excess * (1.0f / QUELL_SURE_EXCESS), 0.0f, 1.0f);
+  return scale3(gloss, 1.0f - (1.0f - QUELL_DIELECTRIC_REFLECTANCE) * share);
+}
+
 // `fBeta` counts where the configuration divides by it.
 QUELL_INLINE Material loadMaterial(FrameImages images, float3L fBeta, int x, int y, int lanes) {
   Material material;
@@ -122,13 +136,15 @@ QUELL_INLINE Material loadMaterial(FrameImages images, float3L fBeta, int x, int
   material.signals[0] = makeSignal(radiance, included, emissionFinite, albedo, one);
   material.signals[1] = makeSignal(glossy, splat3(0.0f), TRUE_LANES, glossColor, fBeta);
 #elif ALBEDO_FORMAT && GLOSSCOLOR_FORMAT
-  // The caller has divided by albedo + gloss colour; what the glossy part is dimmed by is a share of that.
-  const float3L dimmed = add3(albedo, multiply3(glossColor, fBeta));
+  const float3L gloss = multiply3(glossColor, fBeta);
 #if DEMODULATED
+  // The caller has divided by albedo + gloss colour; what the glossy part is dimmed by is a share of that.
+  const float3L dimmed = add3(albedo, gloss);
   const float3L color = add3(albedo, glossColor);
   material.signals[0] = makeSignal(radiance, included, emissionFinite, color, divide3(dimmed, color));
 #else
-  material.signals[0] = makeSignal(radiance, included, emissionFinite, dimmed, one);
+  const float3L color = add3(albedo, plausibleGloss(albedo, gloss));
+  material.signals[0] = makeSignal(radiance, included, emissionFinite, color, one);
 #endif
 #elif GLOSSCOLOR_FORMAT
   material.signals[0] = makeSignal(radiance, included, emissionFinite, glossColor, fBeta);

@@ -10,13 +10,20 @@ namespace quell::tests {
 namespace {
 
 constexpr double kLeastFactor = 0.01, kMostFactor = 2.0;  // reflectance that light is divided by
-constexpr double kNoiselessDifference = 0.01;             // share of the brightest channel
-constexpr int kNoiselessNeighbours = 2;                   // of four
+constexpr double kDielectricReflectance = 0.04, kSureExcess = 0.1;
+constexpr double kNoiselessDifference = 0.01;  // share of the brightest channel
+constexpr int kNoiselessNeighbours = 2;        // of four
 constexpr double kFloatRounding = 1e-6;
 
 Vector3d cleanFactor(const Vector3d& factor) {
   return factor.unaryExpr(
       [](double f) { return std::isfinite(f) && f > 0.0 ? std::min<double>(f, QUELL_MAX_RADIANCE) : 0.0; });
+}
+
+// What there is of a gloss colour that exceeds 1 together with albedo.
+double shareOfGloss(const Vector3d& albedo, const Vector3d& gloss) {
+  const double excess = (albedo + gloss).maxCoeff() - 1.0;
+  return 1.0 - (1.0 - kDielectricReflectance) * std::clamp(excess / kSureExcess, 0.0, 1.0);
 }
 
 // What tints this signal; 1 where the image is absent.
@@ -32,6 +39,8 @@ Vector3d colorAt(const MaterialImages& images, int x, int y, int signal) {
   Vector3d fBeta = Vector3d::Ones();
   for (int c = 0; c < images.fBeta.count; ++c) fBeta[c] = images.fBeta.at(c, x, y);
   add(images.albedo, 0, Vector3d::Ones());
+  if (!apart && !images.demodulated && !images.albedo.empty() && !images.glossColor.empty())
+    fBeta *= shareOfGloss(color, cleanFactor(rgbAt(images.glossColor, x, y)).cwiseProduct(fBeta));
   add(images.glossColor, 1, fBeta);
   return any ? color : Vector3d::Ones();
 }

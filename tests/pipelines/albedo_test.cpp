@@ -10,7 +10,7 @@ namespace {
 constexpr int kWidth = 121, kHeight = 77, kFrames = 6;
 const char* const kMethods[] = {"quell", "svgf", "bmfr", "atrous"};
 
-constexpr int kSquare = 6;  // of a screen
+constexpr int kSquare = 6;  // of a screen, or of a texture
 
 // A square in the middle of the picture.
 bool isInside(int x, int y) { return x >= 36 && x < 84 && y >= 12 && y < 60; }
@@ -39,6 +39,19 @@ void litBox(io::FrameData& frame, const Albedo& albedo) {
     for (int x = 0; x < kWidth; ++x)
       for (int c = 0; c < 3 && !isBackground(frame.normalWorld, x, y); ++c)
         frame.normalWorld.at(x, y, c) = c == (isInside(x, y) ? 0 : 1) ? 1.0f : 0.0f;
+}
+
+// A wall of dark and bright squares with a gloss of this colour.
+void glossyTexture(io::FrameData& frame, float gloss) {
+  lightWall(frame, {0.5f, 0.5f, 0.5f});
+  frame.glossColor = image(frame, 3, gloss);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const float albedo = (x / kSquare + y / kSquare) % 2 == 0 ? 0.2f : 0.8f;
+        frame.radiance.at(x, y, c) *= albedo / frame.albedo.at(x, y, c);
+        frame.albedo.at(x, y, c) = albedo;
+      }
 }
 
 // A wall with a lamp inside that is 20 times as bright, or with a screen of squares.
@@ -108,6 +121,19 @@ TEST_CASE("lit surfaces are filtered whatever their albedo", "[pipelines]") {
       CHECK(outside.mean == Approx(0.5).epsilon(0.03));
       CHECK(inside.deviation < (stopsAtKinds ? 1.25 : 3.0) * usual.deviation);
     }
+  }
+}
+
+// Divided by albedo + 1 a texture is hardly divided out.
+TEST_CASE("a gloss colour without Fresnel term counts as that of a dielectric", "[pipelines]") {
+  for (const char* method : {"quell", "atrous"}) {
+    INFO(method);
+    const io::Image plastic = lastLinear(method, [](io::FrameData& f) { glossyTexture(f, 0.04f); });
+    const auto difference = [&](float gloss) {
+      return encodedRmse(lastLinear(method, [&](io::FrameData& f) { glossyTexture(f, gloss); }), plastic);
+    };
+    CHECK(difference(1.0f) < 1e-6);
+    CHECK(difference(0.15f) > 1e-3);  // what may well be a reflectance is taken for one
   }
 }
 
