@@ -180,6 +180,8 @@ TEST_CASE("tune writes the Pareto set, and what became of it on other sequences"
   const json& third = settings[2].at("sequences").at(0);
   for (const char* figure : {"unbiased_rmse", "ssim", "flip"})
     CHECK(third.at(figure).get<double>() == Approx(linear.at(figure).get<double>()));
+  CHECK(third.at("temporal_error").get<double>() ==
+        Approx(readJson(report).at("temporal_error").get<double>()));
 
   const std::string text = io::readFile(markdown);
   CHECK_THAT(text, Catch::Contains("Tuned on:") && Catch::Contains(tuned) &&

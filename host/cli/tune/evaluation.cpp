@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "host/cli/common/denoise_report.hpp"
 #include "host/cli/common/fair_rounds.hpp"
 #include "host/cli/common/progress.hpp"
 #include "host/metrics/error.hpp"
@@ -49,6 +50,7 @@ struct ActiveSetting {
   bool measuresErrors;  // false for the first setting in all groups but one
   std::unique_ptr<DenoiseSession> session;
   ErrorMeans errors = {};
+  metrics::MotionCompensatedErrorMeter flicker = {};
 };
 
 // All settings on one sequence, group by group.
@@ -134,10 +136,11 @@ class SequenceEvaluator {
   }
 
   void measureErrors(ActiveSetting& one, const io::FrameData& frame) {
-    const auto& reference = m_references.of(frame.number);
-    if (!reference || !one.measuresErrors) return one.session->run(frame);
-    one.errors.add(
-        metrics::compareToReference(one.session->denoise(frame).linear, false, reference->a, reference->b));
+    if (!one.measuresErrors) return one.session->run(frame);
+    const DenoisedFrame denoised = one.session->denoise(frame);
+    one.flicker.add(trackFrame(frame, denoised));
+    if (const auto& reference = m_references.of(frame.number))
+      one.errors.add(metrics::compareToReference(denoised.linear, false, reference->a, reference->b));
   }
 
   static void store(std::vector<ActiveSetting>& active) {
@@ -146,7 +149,7 @@ class SequenceEvaluator {
     for (ActiveSetting& one : active) {
       if (!one.measuresErrors) continue;
       const double ms = frameMs(one);
-      one.setting->sequences.push_back({ms, ms / firstMs, one.errors.means()});
+      one.setting->sequences.push_back({ms, ms / firstMs, one.errors.means(), one.flicker.mean()});
     }
   }
 

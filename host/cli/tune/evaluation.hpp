@@ -1,6 +1,7 @@
 // Errors and times of settings on sequences.
 #pragma once
 
+#include <optional>
 #include <quell/quell.hpp>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct SequenceFigures {
   double relativeTime = 1.0;  ///< frameMs divided by that of the first setting, measured side by side with it
   std::vector<double>
       errors;  ///< of tunedMetrics(), each its mean over the reference frames, as the metric takes it
+  std::optional<double> temporalError = {};  ///< over all frames, see metrics::kTemporalError
 };
 
 struct EvaluatedSetting {

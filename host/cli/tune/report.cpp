@@ -22,8 +22,9 @@ std::string legend() {
   for (std::size_t metric = 0; metric < tunedMetrics().size(); ++metric) shown.push_back(labelOf(metric));
   return fmt::format(
       "Time, {}: geometric means over the sequences, relative to the defaults; * marks the Pareto set of "
-      "these.\nPer sequence: {} / median milliseconds a frame. Errors before TAA, on display-encoded values; "
-      "RMSE is the unbiased one.\n",
+      "these.\nPer sequence: {} / temporal error / median milliseconds a frame. Errors before TAA, on "
+      "display-encoded "
+      "values; RMSE is the unbiased one.\n",
       fmt::join(minimised, " and "), fmt::join(shown, " / "));
 }
 
@@ -38,11 +39,12 @@ std::string settingName(const TunedSetting& setting, const TuningArguments& argu
   return text.empty() ? fmt::format("defaults ({})", arguments.defaults) : text;
 }
 
-// The errors and milliseconds.
+// The errors, flicker and milliseconds.
 std::string figuresText(const SequenceFigures& figures) {
   std::string text;
   for (std::size_t i = 0; i < figures.errors.size(); ++i)
     text += fixed(figures.errors[i], tunedMetrics()[i]->digits, "") + " / ";
+  text += fixed(figures.temporalError, metrics::kTemporalError.digits, "-") + " / ";
   return text + fixed(figures.frameMs, 2, "");
 }
 
@@ -136,6 +138,7 @@ json settingJson(const TunedSetting& setting, const std::vector<EvaluatedSequenc
         {"name", sequences[i].name}, {"frame_ms", figures.frameMs}, {"relative_time", figures.relativeTime}};
     for (std::size_t m = 0; m < figures.errors.size(); ++m)
       sequence[tunedMetrics()[m]->key] = number<json>(figures.errors[m]);
+    sequence[metrics::kTemporalError.key] = number<json>(figures.temporalError);
     result["sequences"].push_back(sequence);
   }
   return result;
