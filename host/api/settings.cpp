@@ -1,36 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <locale>
 #include <quell/error.hpp>
 #include <quell/settings.hpp>
-#include <sstream>
 
+#include "host/core/number_text.hpp"
 #include "host/methods/method.hpp"
 
 namespace quell {
 namespace {
-
-// The whole text as a number with a decimal point, whatever the host application's locale says.
-bool parseNumber(const std::string& text, double& value) {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  stream >> value;
-  return !stream.fail() && stream.peek() == std::istringstream::traits_type::eof();
-}
-
-// The shortest text that reads back as the same number.
-std::string numberText(double value) {
-  std::ostringstream stream;
-  stream.imbue(std::locale::classic());
-  for (int digits = 1; digits <= 17; ++digits) {
-    stream.str("");
-    stream.precision(digits);
-    stream << value;
-    double readBack = 0.0;
-    if (parseNumber(stream.str(), readBack) && readBack == value) break;
-  }
-  return stream.str();
-}
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;

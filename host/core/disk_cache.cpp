@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 
 #include "host/core/fnv1a.hpp"
+#include "host/core/whole_file.hpp"
 
 namespace quell {
 namespace {
@@ -66,20 +66,8 @@ void DiskCache::write(const std::string& key, const Bytes& bytes) const {
   if (m_directory.empty() || bytes.empty()) return;
   std::error_code ignored;
   std::filesystem::create_directories(m_directory, ignored);
-  const std::string path = pathOf(key);
-  const std::string temporary = path + "." + std::to_string(std::random_device{}()) + ".tmp";
-  {
-    std::ofstream file(temporary, std::ios::binary);
-    const Bytes entry = makeEntry(key, bytes);
-    file.write(reinterpret_cast<const char*>(entry.data()), static_cast<std::streamsize>(entry.size()));
-    file.close();
-    if (!file) {
-      std::filesystem::remove(temporary, ignored);
-      return;
-    }
-  }
-  std::filesystem::rename(temporary, path, ignored);
-  if (ignored) std::filesystem::remove(temporary, ignored);
+  const Bytes entry = makeEntry(key, bytes);
+  writeWholeFile(pathOf(key), {{entry.data(), entry.size()}});
 }
 
 }  // namespace quell

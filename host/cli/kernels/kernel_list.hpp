@@ -1,18 +1,11 @@
 // Which kernels a configuration is made of, without compiling any: for offline compilers and their reports.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "host/core/schedule.hpp"
+#include "host/core/kernel_uses.hpp"
 
 namespace quell::cli {
-
-/// One compilation of a kernel.
-struct KernelUse {
-  std::string stem;     ///< the kernel function, and kernels/<stem>.cl
-  std::string options;  ///< as for the compiler
-};
 
 /// What the stages compile for this configuration, in their order, repeated where stages repeat; its `runtime` is made
 /// here. No OpenCL device is needed. Throws what prepare() would throw for settings that do not go together.

@@ -1,0 +1,32 @@
+#include "host/core/kernel_uses.hpp"
+
+namespace quell {
+namespace {
+
+/// Writes down what it is asked for.
+class RecordingKernelBuilder : public KernelBuilder {
+ public:
+  RecordingKernelBuilder(const Configuration& configuration, std::vector<KernelUse>& uses)
+      : KernelBuilder(configuration), m_uses(uses) {}
+
+  std::size_t maxWorkGroup(const cl::Kernel&) const override { return configuration().device.maxWorkGroup; }
+
+ protected:
+  cl::Kernel compile(const std::string& stem, const std::string& options) const override {
+    m_uses.push_back({stem, options});
+    return {};
+  }
+
+ private:
+  std::vector<KernelUse>& m_uses;
+};
+
+}  // namespace
+
+std::vector<KernelUse> kernelUses(Stage& stage, const Configuration& configuration) {
+  std::vector<KernelUse> uses;
+  stage.build(RecordingKernelBuilder(configuration, uses));
+  return uses;
+}
+
+}  // namespace quell
