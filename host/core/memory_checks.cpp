@@ -115,7 +115,7 @@ void checkMemoryOf(const char* function, const NamedView& named, Size size, cl_c
 }  // namespace
 
 void checkMemory(const char* function, const Frame& frame, const Output& output, cl_context context) {
-  const std::vector<NamedView> views = namedViews(frame, output);
+  const NamedViews views = namedViews(frame, output);
   for (const NamedView& named : views)
     if (named.view->present()) checkMemoryOf(function, named, frame.size, context);
   checkOverlaps(function, frame, output);

@@ -1,10 +1,11 @@
 // All images of a call with what errors call them.
 #pragma once
 
+#include <array>
+#include <iterator>
 #include <quell/error.hpp>
 #include <quell/frame.hpp>
 #include <string>
-#include <vector>
 
 #include "host/core/image_schema.hpp"
 
@@ -17,13 +18,17 @@ struct NamedView {
   bool output;
 };
 
+/// An array: every frame is checked, and large blocks of the heap come and go slowly.
+using NamedViews = std::array<NamedView, std::size(kInputs<Frame>) + std::size(kOutputs<Output>)>;
+
 /// Inputs, then outputs; those that are absent as well. Refers to the arguments.
-inline std::vector<NamedView> namedViews(const Frame& frame, const Output& output) {
-  std::vector<NamedView> views;
+inline NamedViews namedViews(const Frame& frame, const Output& output) {
+  NamedViews views;
+  std::size_t next = 0;
   for (const auto& image : kInputs<Frame>)
-    views.push_back({image.name, &(frame.*image.member), &image, false});
+    views[next++] = {image.name, &(frame.*image.member), &image, false};
   for (const auto& image : kOutputs<Output>)
-    views.push_back({std::string("output.") + image.name, &(output.*image.member), &image, true});
+    views[next++] = {std::string("output.") + image.name, &(output.*image.member), &image, true};
   return views;
 }
 

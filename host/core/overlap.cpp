@@ -2,7 +2,9 @@
 
 #include <CL/cl.h>
 
+#include <array>
 #include <cstdlib>
+#include <tuple>
 
 #include "host/core/named_views.hpp"
 
@@ -74,10 +76,10 @@ bool isInPlace(const Frame& frame, const Output& output) {
 }  // namespace
 
 void checkOverlaps(const char* function, const Frame& frame, const Output& output) {
-  std::vector<NamedView> views = namedViews(frame, output);
-  std::vector<Region> regions;
-  for (const NamedView& named : views)
-    regions.push_back(named.view->present() ? regionOf(*named.view, frame.size) : Region());
+  const NamedViews views = namedViews(frame, output);
+  std::array<Region, std::tuple_size_v<NamedViews>> regions;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (views[i].view->present()) regions[i] = regionOf(*views[i].view, frame.size);
   for (std::size_t i = 0; i < views.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!views[i].output || !views[i].view->present() || !views[j].view->present()) continue;

@@ -129,7 +129,7 @@ std::string layoutText(const ImageView& view, int width) {
          sums;
 }
 
-void checkLayouts(const char* function, const Frame& frame, const std::vector<NamedView>& views) {
+void checkLayouts(const char* function, const Frame& frame, const NamedViews& views) {
   checkSize(function, frame.size);
   for (const NamedView& named : views) checkView(function, named, frame.size);
   for (const NamedView& named : views)
