@@ -19,12 +19,35 @@ Denoiser::Denoiser(Denoiser&&) noexcept = default;
 Denoiser& Denoiser::operator=(Denoiser&&) noexcept = default;
 Denoiser::~Denoiser() = default;
 
-void Denoiser::prepare(const Frame& frame, const Output& output) {
-  withClErrors("prepare", [&] { m_implementation->prepare(frame, output); });
+void Denoiser::prepare(const Frame& frame, const Output& output, const PrepareOptions& options) {
+  withClErrors("prepare", [&] { m_implementation->prepare(frame, output, options); });
 }
 
-Event Denoiser::denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList) {
-  return withClErrors("denoise", [&] { return m_implementation->denoise(frame, output, waitList); });
+void Denoiser::prepareAsync(const Frame& frame, const Output& output, const PrepareOptions& options) {
+  withClErrors("prepareAsync", [&] { m_implementation->prepareAsync(frame, output, options); });
+}
+
+bool Denoiser::isReady() {
+  return withClErrors("prepareAsync", [&] { return m_implementation->isReady(); });
+}
+
+void Denoiser::cancelPrepare() { m_implementation->cancelPrepare(); }
+
+std::vector<StageKernel> Denoiser::kernelStates(const Frame& frame, const Output& output) const {
+  return withClErrors("kernelStates", [&] { return m_implementation->kernelStates(frame, output); });
+}
+
+Event Denoiser::denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList,
+                        cl_command_queue queue) {
+  return withClErrors("denoise", [&] { return m_implementation->denoise(frame, output, waitList, queue); });
+}
+
+void Denoiser::setSettings(const Settings& settings) {
+  withClErrors("setSettings", [&] { m_implementation->setSettings(settings); });
+}
+
+std::vector<std::string> Denoiser::settingsToPrepare(const Settings& settings) const {
+  return m_implementation->settingsToPrepare(settings);
 }
 
 FrameCheck Denoiser::checkFrame(const Frame& frame, const std::vector<cl_event>& waitList) {
@@ -40,6 +63,7 @@ MemoryUse Denoiser::memoryUse() const { return m_implementation->memoryUse(); }
 MemoryUse Denoiser::memoryNeeded(const Frame& frame, const Output& output) const {
   return withClErrors("memoryNeeded", [&] { return m_implementation->memoryNeeded(frame, output); });
 }
+CaptureState Denoiser::captureState() const { return m_implementation->captureState(); }
 Timings Denoiser::timings() {
   return withClErrors("timings", [&] { return m_implementation->timings(); });
 }

@@ -1,12 +1,15 @@
 // What is behind quell::Denoiser.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <quell/denoiser.hpp>
 #include <string>
 #include <vector>
 
+#include "host/api/capture.hpp"
 #include "host/api/frame_checker.hpp"
+#include "host/api/preparation.hpp"
 #include "host/core/event_keeper.hpp"
 #include "host/core/frame_timer.hpp"
 #include "host/core/pipeline.hpp"
@@ -20,11 +23,19 @@ class Denoiser::Implementation {
   Implementation(cl_context context, cl_device_id device, cl_command_queue queue, const Settings& settings,
                  const Options& options);
 
-  void prepare(const Frame& frame, const Output& output);
-  Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList);
+  void prepare(const Frame& frame, const Output& output, const PrepareOptions& options);
+  void prepareAsync(const Frame& frame, const Output& output, const PrepareOptions& options);
+  bool isReady();
+  void cancelPrepare() { m_cancelled = true; }
+  std::vector<StageKernel> kernelStates(const Frame& frame, const Output& output) const;
+  Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList,
+                cl_command_queue queue);
+  void setSettings(const Settings& settings);
+  std::vector<std::string> settingsToPrepare(const Settings& settings) const;
   FrameCheck checkFrame(const Frame& frame, const std::vector<cl_event>& waitList);
   void resetHistory() {
     m_frameIndex = 0;
+    m_historyIsKept = false;
     m_checker.forget();
   }
 
@@ -33,18 +44,30 @@ class Denoiser::Implementation {
   std::vector<std::string> bufferNames() const;
   BufferContent readBuffer(const std::string& name) const;
   BackgroundMap backgroundMap() const;
+  CaptureState captureState() const { return m_capture ? m_capture->state() : CaptureState(); }
   Timings timings();
   void clearTimings();
   const Settings& settings() const { return m_configuration.settings; }
 
+  // For Replayer.
+  const Configuration& configuration() const { return m_pipeline.configuration(); }
+  std::vector<BufferSet::History> histories() const { return m_pipeline.buffers().histories(); }
+  void continueFrom(std::uint32_t frameIndex) { m_frameIndex = frameIndex; }
+
  private:
-  void unprepare();
+  FormerFrames takeFormerFrames();
+  PreparationJob jobFor(const Frame& frame, const Output& output, const PrepareOptions& options);
+  void adopt(Prepared prepared);
   Configuration configurationFor(const Frame& frame, const Output& output) const;
-  void makeTables();
-  void warmUp();
-  void startTimer();
+  Configuration configurationWith(const Settings& settings) const;
+  void startTimer(bool deviceTimes);
   void forgetFailedFrame();
-  cl::Event record(const Frame& frame, const Output& output, std::vector<cl::Event> waitFor);
+  Camera withPrevious(Camera camera) const;
+  cl::CommandQueue queueFor(cl_command_queue given) const;
+  cl::Event record(const cl::CommandQueue& queue, const Frame& frame, const Output& output,
+                   std::vector<cl::Event> waitFor);
+  cl::Event recordCaptured(const cl::CommandQueue& queue, const Frame& frame, const Output& output,
+                           std::vector<cl::Event> waitFor);
   Content latestContent();
 
   cl::Context m_context;
@@ -63,9 +86,12 @@ class Denoiser::Implementation {
   cl::Event m_lastEvent;
   EventKeeper m_events;  // of frames that may still be pending
   FrameChecker m_checker;
+  std::unique_ptr<Capture> m_capture;
   std::uint32_t m_frameIndex = 0;
-  bool m_outOfOrder = false;
+  bool m_historyIsKept = false;  // by a preparation that is under way
   bool m_prepared = false;
+  std::atomic<bool> m_cancelled{false};
+  std::unique_ptr<Preparation> m_preparation;  // that is under way; the first to go
 };
 
 }  // namespace quell

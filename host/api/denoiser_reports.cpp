@@ -22,10 +22,10 @@ std::optional<double> skippedShare(Coverage coverage, const Content& content) {
 
 }  // namespace
 
-void Denoiser::Implementation::startTimer() {
+void Denoiser::Implementation::startTimer(bool deviceTimes) {
   const TimerMode mode = m_configuration.options.timers;
   if (mode == TimerMode::Off) return;
-  const bool device = mode == TimerMode::Device && FrameTimer::hasDeviceTimes(m_lastEvent);
+  const bool device = mode == TimerMode::Device && deviceTimes;
   m_timer =
       std::make_unique<FrameTimer>(m_pipeline.stageNames(), device ? TimeSource::Device : TimeSource::Host);
   if (m_pipeline.leavesOutBackground()) m_readQueue = cl::CommandQueue(m_context, m_device);

@@ -169,6 +169,9 @@ Options toOptions(const quell_options* given, const char* function) {
   options.fitGroup = read.fitGroup;
   if (read.cacheDirectory != nullptr) options.cacheDirectory = read.cacheDirectory;
   options.keptBuffers = splitAtCommas(read.keptBuffers);
+  if (read.captureDirectory != nullptr) options.captureDirectory = read.captureDirectory;
+  if (read.captureFrames != 0) options.captureFrames = read.captureFrames;
+  options.captureSkip = read.captureSkip;
   return options;
 }
 

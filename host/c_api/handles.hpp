@@ -20,4 +20,6 @@ struct quell_denoiser {
   quell::Timings timings;                   // as of quellGetTimings
   quell::FrameCheck check;                  // as of quellCheckFrame
   std::vector<std::string> sentences = {};  // of its findings
+  quell::CaptureState capture = {};         // as of quellGetCaptureState
+  std::string stage = {};                   // as of quellGetStageKernel
 };

@@ -18,6 +18,7 @@ int runTool(int argc, const char* const* argv) {
   addCheckCommand(app);
   addCompareCommand(app);
   addDevicesCommand(app);
+  addReplayCommand(app);
   addRenderCommand(app);
   addDemoCommand(app);
 #ifdef QUELL_ALL_COMMANDS

@@ -61,6 +61,7 @@ const cl::Buffer& BufferSet::previous(int buffer, int parity) const { return cur
 std::vector<cl_mem> BufferSet::arguments(const std::vector<Binding>& row, const Configuration& configuration,
                                          const Frame& frame, const Output& output, int parity) const {
   std::vector<cl_mem> memory;
+  memory.reserve(row.size());
   for (const Binding& binding : row) {
     const Port& port = binding.port;
     if (!port.exists) {
@@ -75,6 +76,13 @@ std::vector<cl_mem> BufferSet::arguments(const std::vector<Binding>& row, const 
     }
   }
   return memory;
+}
+
+std::vector<BufferSet::History> BufferSet::histories() const {
+  std::vector<History> all;
+  for (const Slot& slot : m_slots)
+    if (slot.history) all.push_back({slot.names, slot.bytes, slot.buffers});
+  return all;
 }
 
 MemoryUse BufferSet::memoryUse() const {

@@ -29,6 +29,14 @@ class BufferSet {
   std::vector<cl_mem> arguments(const std::vector<Binding>& row, const Configuration& configuration,
                                 const Frame& frame, const Output& output, int parity) const;
 
+  /// A buffer that is kept from frame to frame, as the frames of either parity write it.
+  struct History {
+    std::string name;
+    std::size_t bytes = 0;
+    std::array<cl::Buffer, 2> copies;
+  };
+  std::vector<History> histories() const;
+
   MemoryUse memoryUse() const;
 
  private:

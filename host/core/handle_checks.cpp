@@ -16,18 +16,18 @@ void checkHandles(cl_context context, cl_device_id device, cl_command_queue queu
   require(queue != nullptr, "queue");
 }
 
-void checkQueue(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue,
-                const Options& options) {
+void checkQueue(const char* function, const cl::Context& context, const cl::Device& device,
+                const cl::CommandQueue& queue, const Options& options) {
   if (queue.getInfo<CL_QUEUE_CONTEXT>()() != context())
     throw Error(ErrorCode::WrongContext,
-                {"Denoiser", "queue", "a queue of the given context", "another context's"});
+                {function, "queue", "a queue of the given context", "another context's"});
   if (queue.getInfo<CL_QUEUE_DEVICE>()() != device())
     throw Error(ErrorCode::WrongContext,
-                {"Denoiser", "queue", "a queue of the given device", "another device's"});
+                {function, "queue", "a queue of the given device", "another device's"});
   const bool profiling = (queue.getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_PROFILING_ENABLE) != 0;
   if (options.timers == TimerMode::Device && !profiling) {
     throw Error(ErrorCode::InvalidArgument,
-                {"Denoiser", "options.timers", "a queue with CL_QUEUE_PROFILING_ENABLE for device timers",
+                {function, "options.timers", "a queue with CL_QUEUE_PROFILING_ENABLE for device timers",
                  "a queue without it"});
   }
 }
@@ -41,6 +41,8 @@ void checkOptions(const Options& options) {
   const int group = options.fitGroup;
   if (group < 0 || group > 256 || (group & (group - 1)) != 0)
     refuse("options.fitGroup", "0 or a power of two up to 256", group);
+  if (options.captureFrames < 1) refuse("options.captureFrames", "1 or more frames", options.captureFrames);
+  if (options.captureSkip < 0) refuse("options.captureSkip", "0 or more frames", options.captureSkip);
 }
 
 std::vector<cl::Event> checkedEvents(const std::vector<cl_event>& waitList, const cl::Context& context) {

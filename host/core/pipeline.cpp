@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/core/kernel_uses.hpp"
+#include "host/core/reprojection.hpp"
+#include "host/core/warm_up.hpp"
+
 namespace quell {
 namespace {
 
@@ -15,11 +19,13 @@ bool touches(const std::vector<Binding>& row, int buffer) {
 }  // namespace
 
 Pipeline::Pipeline(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue,
-                   const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule)
+                   const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule,
+                   const Progress& progress)
     : m_configuration(std::move(configuration)) {
   const DeviceTuning tuning = readTuning(cache.disk(), m_configuration.device.identity);
   plan(tuning, makeSchedule);
-  buildStages(context, device, cache, tuning);
+  tuneStages(tuning);
+  buildStages(context, device, cache, progress);
   m_buffers = BufferSet(context, queue, m_plan, m_configuration.size(), m_configuration.options.keptBuffers);
 }
 
@@ -55,32 +61,118 @@ void Pipeline::agreeOnLanes(const DeviceTuning& tuning, const MakeSchedule& make
   plan();
 }
 
-void Pipeline::buildStages(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
-                           const DeviceTuning& tuning) {
+void Pipeline::tuneStages(const DeviceTuning& tuning) {
   const int surfaces = m_plan.find(kSurfacesBuffer);
-  m_stageConfigurations.reserve(m_schedule.size());  // kernel builders refer to them
+  m_stageConfigurations.clear();
   for (std::size_t i = 0; i < m_schedule.size(); ++i) {
-    m_stageConfigurations.push_back(m_configuration);
-    Configuration& tuned = m_stageConfigurations.back();
+    Configuration tuned = m_configuration;
     applyTuning(tuning, m_schedule[i].stage->name(), tuned);
     if (touches(m_plan.rows[i], surfaces) && tuned.device.lanes != m_configuration.device.lanes)
       tuned = m_configuration;
-    m_schedule[i].stage->build(DeviceKernelBuilder(context, device, cache, tuned));
+    m_stageConfigurations.push_back(std::move(tuned));
   }
+}
+
+// One after the other: PoCL 3.1 holds a lock of the context while it compiles, so that threads gain nothing
+// (docs/embedding.md, "Cold start").
+void Pipeline::buildStages(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
+                           const Progress& progress) {
+  for (std::size_t i = 0; i < m_schedule.size(); ++i) {
+    m_schedule[i].stage->build(
+        DeviceKernelBuilder(context, device, cache, m_stageConfigurations[i], m_programs));
+    if (progress)
+      progress(m_schedule[i].stage->label(), static_cast<int>(i + 1),
+               static_cast<int>(2 * m_schedule.size()));
+  }
+}
+
+cl::Event Pipeline::warmUp(const cl::Context& context, const cl::CommandQueue& queue,
+                           const Progress& progress) {
+  const WarmUpImages images(context, queue, m_configuration.frame, m_configuration.output);
+  const ReprojectionParams reprojection =
+      makeReprojectionParams(images.frame.camera, images.frame.size, m_configuration.runtime.discard, false,
+                             images.frame.motionScale);
+  cl::Event last;
+  const std::size_t count = m_schedule.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    FrameCommands commands(queue, {}, true, false);
+    recordStage(i, commands, images.frame, images.output, reprojection, 0);
+    queue.finish();  // also where the queue is out of order
+    last = commands.lastEvent();
+    if (progress)
+      progress(m_schedule[i].stage->label(), static_cast<int>(count + i + 1), static_cast<int>(2 * count));
+  }
+  return last;
+}
+
+std::vector<StageKernel> Pipeline::kernelStates(const Pipeline& built, const ProgramCache& cache,
+                                                Configuration configuration,
+                                                const MakeSchedule& makeSchedule) {
+  Pipeline planned;
+  planned.m_configuration = std::move(configuration);
+  const DeviceTuning tuning = readTuning(cache.disk(), planned.m_configuration.device.identity);
+  planned.plan(tuning, makeSchedule);
+  planned.tuneStages(tuning);
+  std::vector<StageKernel> kernels;
+  for (std::size_t i = 0; i < planned.m_schedule.size(); ++i) {
+    Stage& stage = *planned.m_schedule[i].stage;
+    StageKernel kernel{stage.label(), KernelState::Built};
+    for (const KernelUse& use : kernelUses(stage, planned.m_stageConfigurations[i])) {
+      if (built.m_programs.find(use.stem, use.options)) continue;
+      const bool cached = cache.has(planned.m_configuration.device, kernelSource(use.stem), use.options);
+      kernel.state = std::min(kernel.state, cached ? KernelState::Cached : KernelState::Missing);
+    }
+    kernels.push_back(std::move(kernel));
+  }
+  return kernels;
+}
+
+bool Pipeline::serves(const Configuration& configuration, const MakeSchedule& makeSchedule) const {
+  Configuration changed = m_configuration;  // with the lanes that stages have agreed on
+  changed.settings = configuration.settings;
+  changed.runtime = configuration.runtime;
+  const Schedule schedule = makeSchedule(changed);
+  if (schedule.size() != m_schedule.size()) return false;
+  for (std::size_t i = 0; i < schedule.size(); ++i) {
+    if (schedule[i].stage->label() != m_schedule[i].stage->label()) return false;
+    Configuration tuned = m_stageConfigurations[i];
+    tuned.settings = changed.settings;
+    tuned.runtime = changed.runtime;
+    for (const KernelUse& use : kernelUses(*schedule[i].stage, tuned))
+      if (!m_programs.find(use.stem, use.options)) return false;
+  }
+  return makePlan(schedule, changed) == m_plan;
+}
+
+void Pipeline::retune(const Configuration& configuration, const MakeSchedule& makeSchedule,
+                      const cl::Context& context, const cl::Device& device, const ProgramCache& cache) {
+  m_configuration.settings = configuration.settings;
+  m_configuration.runtime = configuration.runtime;
+  for (Configuration& tuned : m_stageConfigurations) {
+    tuned.settings = configuration.settings;
+    tuned.runtime = configuration.runtime;
+  }
+  m_schedule = makeSchedule(m_configuration);
+  buildStages(context, device, cache, {});
 }
 
 void Pipeline::record(FrameCommands& commands, const Frame& frame, const Output& output,
                       const ReprojectionParams& reprojection, std::uint32_t frameIndex) const {
-  for (std::size_t i = 0; i < m_schedule.size(); ++i) {
-    const bool last = i + 1 == m_schedule.size();
-    FrameRun run(
-        m_stageConfigurations[i], frame, output, reprojection, frameIndex,
-        m_buffers.arguments(m_plan.rows[i], m_configuration, frame, output, static_cast<int>(frameIndex % 2)),
-        [&](const cl::Kernel& kernel, const cl::NDRange& range, const cl::NDRange& local) {
-          commands.enqueue(i, last, kernel, range, local);
-        });
-    m_schedule[i].stage->enqueue(run);
-  }
+  for (std::size_t i = 0; i < m_schedule.size(); ++i)
+    recordStage(i, commands, frame, output, reprojection, frameIndex);
+}
+
+void Pipeline::recordStage(std::size_t index, FrameCommands& commands, const Frame& frame,
+                           const Output& output, const ReprojectionParams& reprojection,
+                           std::uint32_t frameIndex) const {
+  const bool last = index + 1 == m_schedule.size();
+  FrameRun run(m_stageConfigurations[index], frame, output, reprojection, frameIndex,
+               m_buffers.arguments(m_plan.rows[index], m_configuration, frame, output,
+                                   static_cast<int>(frameIndex % 2)),
+               [&](const cl::Kernel& kernel, const cl::NDRange& range, const cl::NDRange& local) {
+                 commands.enqueue(index, last, kernel, range, local);
+               });
+  m_schedule[index].stage->enqueue(run);
 }
 
 std::vector<std::string> Pipeline::stageNames() const {

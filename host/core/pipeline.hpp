@@ -18,12 +18,34 @@ class Pipeline {
  public:
   Pipeline() = default;
   using MakeSchedule = std::function<Schedule(const Configuration&)>;
+  /// Called with the label of a stage that is built or has run first, the steps that are done, and all there are (two a
+  /// stage); what it throws ends the work.
+  using Progress = std::function<void(const std::string& stage, int done, int total)>;
 
   /// Compiles and allocates; blocks. What was measured on the device decides on pixels per work-item. Throws
   /// Error(InvalidArgument) for an unknown name among Options::keptBuffers, Error(BuildFailed), Error(OutOfMemory), and
   /// std::logic_error as makePlan().
   Pipeline(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue,
-           const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule);
+           const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule,
+           const Progress& progress = {});
+
+  /// Runs every stage once on stand-ins, since machine code is often made at the first launch; blocks. The last event, and
+  /// histories that hold what came of it.
+  cl::Event warmUp(const cl::Context& context, const cl::CommandQueue& queue, const Progress& progress = {});
+
+  /// Where the kernels of each stage would come from.
+  static std::vector<StageKernel> kernelStates(const Pipeline& built, const ProgramCache& cache,
+                                               Configuration configuration, const MakeSchedule& makeSchedule);
+
+  /// Whether what is compiled and allocated serves these settings as well; only settings and what follows from them may
+  /// differ in `configuration`. Throws as makeSchedule.
+  bool serves(const Configuration& configuration, const MakeSchedule& makeSchedule) const;
+  /// Takes the settings of a configuration that it serves. Compiles and allocates nothing.
+  void retune(const Configuration& configuration, const MakeSchedule& makeSchedule,
+              const cl::Context& context, const cl::Device& device, const ProgramCache& cache);
+
+  /// The programs that its kernels are from.
+  const ProgramShelf& programs() const { return m_programs; }
 
   /// What such a pipeline would allocate. Throws as above, but builds nothing.
   static MemoryUse memoryNeeded(const ProgramCache& cache, Configuration configuration,
@@ -51,14 +73,18 @@ class Pipeline {
 
  private:
   void plan(const DeviceTuning& tuning, const MakeSchedule& makeSchedule);
+  void recordStage(std::size_t index, FrameCommands& commands, const Frame& frame, const Output& output,
+                   const ReprojectionParams& reprojection, std::uint32_t frameIndex) const;
   void agreeOnLanes(const DeviceTuning& tuning, const MakeSchedule& makeSchedule);
   void buildStages(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
-                   const DeviceTuning& tuning);
+                   const Progress& progress);
+  void tuneStages(const DeviceTuning& tuning);
 
   Configuration m_configuration;
   Schedule m_schedule;
   Plan m_plan;
   std::vector<Configuration> m_stageConfigurations;  // as m_configuration, but tuned
+  ProgramShelf m_programs;
   BufferSet m_buffers;
 };
 

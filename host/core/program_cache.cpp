@@ -1,10 +1,12 @@
 #include "host/core/program_cache.hpp"
 
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <quell/error.hpp>
+#include <utility>
 
 #include "host/core/cl_error.hpp"
 
@@ -13,10 +15,11 @@ namespace {
 
 using Binary = DiskCache::Bytes;
 
-// Binaries only: OpenCL objects here would outlive their contexts.
+// Binaries, and programs that somebody else holds: OpenCL objects of its own would outlive their contexts.
 struct Memory {
   std::mutex mutex;
   std::map<std::string, Binary> binaries;
+  std::map<std::pair<cl_context, std::string>, std::weak_ptr<const cl::Program>> programs;
   ProgramCacheCounters counters;
   std::string sourceComment;
 };
@@ -27,11 +30,14 @@ Memory& memory() {
   return *instance;
 }
 
+/// What is handed to the compiler beside a stage's options: some print the number of warnings to the terminal of the host.
+std::string quiet(const std::string& options) { return options + " -w"; }
+
 std::optional<cl::Program> fromBinary(const cl::Context& context, const cl::Device& device,
                                       const Binary& binary, const std::string& options) {
   try {
     cl::Program program(context, {device}, cl::Program::Binaries{binary});
-    program.build({device}, options.c_str());
+    program.build({device}, quiet(options).c_str());
     return program;
   } catch (const cl::Error&) {
     return std::nullopt;  // the driver no longer takes it
@@ -42,7 +48,7 @@ cl::Program fromSource(const cl::Context& context, const cl::Device& device, con
                        const std::string& source, const std::string& options) {
   cl::Program program(context, source);
   try {
-    program.build({device}, options.c_str());
+    program.build({device}, quiet(options).c_str());
   } catch (const cl::Error& error) {
     const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device);
     throw Error(ErrorCode::BuildFailed,
@@ -74,6 +80,10 @@ std::string commented(const std::string& source) {
   return shared.sourceComment.empty() ? source : source + "\n// " + shared.sourceComment + "\n";
 }
 
+std::string keyOf(const DeviceTraits& traits, const std::string& source, const std::string& options) {
+  return traits.identity + "\n" + options + "\n" + source;
+}
+
 void remember(const std::string& key, const Binary& binary, int ProgramCacheCounters::*counter) {
   Memory& shared = memory();
   const std::lock_guard<std::mutex> lock(shared.mutex);
@@ -87,7 +97,7 @@ cl::Program ProgramCache::build(const cl::Context& context, const cl::Device& de
                                 const DeviceTraits& traits, const std::string& stage,
                                 const std::string& plainSource, const std::string& options) const {
   const std::string source = commented(plainSource);
-  const std::string key = traits.identity + "\n" + options + "\n" + source;
+  const std::string key = keyOf(traits, source, options);
   if (const auto binary = find(key)) {
     if (auto program = fromBinary(context, device, *binary, options)) {
       remember(key, *binary, &ProgramCacheCounters::fromMemory);
@@ -102,11 +112,36 @@ cl::Program ProgramCache::build(const cl::Context& context, const cl::Device& de
   }
   const cl::Program program = fromSource(context, device, stage, source, options);
   // Where nothing is left for the next process, a binary that costs a compilation is not worth it.
-  const bool keep = m_disk.enabled() || !traits.compilesForBinaries;
+  const bool keep = (m_disk.enabled() && m_costlyBinaries) || !traits.compilesForBinaries;
   const Binary binary = keep ? binaryOf(program, device) : Binary{};
   remember(key, binary, &ProgramCacheCounters::built);
   m_disk.write(key, binary);
   return program;
+}
+
+SharedProgram ProgramCache::share(const cl::Context& context, const cl::Device& device,
+                                  const DeviceTraits& traits, const std::string& stage,
+                                  const std::string& source, const std::string& options) const {
+  Memory& shared = memory();
+  const auto key = std::make_pair(context(), keyOf(traits, commented(source), options));
+  {
+    const std::lock_guard<std::mutex> lock(shared.mutex);
+    const auto found = shared.programs.find(key);
+    if (found != shared.programs.end())
+      if (SharedProgram program = found->second.lock()) return program;
+  }
+  auto program = std::make_shared<const cl::Program>(build(context, device, traits, stage, source, options));
+  const std::lock_guard<std::mutex> lock(shared.mutex);
+  for (auto entry = shared.programs.begin(); entry != shared.programs.end();)
+    entry = entry->second.expired() ? shared.programs.erase(entry) : std::next(entry);
+  shared.programs[key] = program;
+  return program;
+}
+
+bool ProgramCache::has(const DeviceTraits& traits, const std::string& source,
+                       const std::string& options) const {
+  const std::string key = keyOf(traits, commented(source), options);
+  return find(key).has_value() || m_disk.read(key).has_value();
 }
 
 ProgramCacheCounters ProgramCache::counters() {

@@ -1,6 +1,7 @@
 // Compiled programs: built once per process and device, kept on disk as binaries.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "host/core/device_traits.hpp"
@@ -16,15 +17,26 @@ struct ProgramCacheCounters {
   int fromDisk = 0;    ///< from the cache directory
 };
 
+using SharedProgram = std::shared_ptr<const cl::Program>;
+
 /// Thread-safe. A program's key is device, driver, options and source; entries on disk are those of a DiskCache.
 class ProgramCache {
  public:
-  /// `directory` empty: no disk cache, nor one in memory for devices that compile for binaries (DeviceTraits).
-  explicit ProgramCache(std::string directory) : m_disk(std::move(directory)) {}
+  /// `directory` empty: no disk cache. Devices that compile for binaries (DeviceTraits) have one, on disk and in memory, only
+  /// with a directory and `costlyBinaries`.
+  explicit ProgramCache(std::string directory, bool costlyBinaries = true)
+      : m_disk(std::move(directory)), m_costlyBinaries(costlyBinaries) {}
 
   /// Throws Error(BuildFailed) with the build log; `stage` names the culprit.
   cl::Program build(const cl::Context& context, const cl::Device& device, const DeviceTraits& traits,
                     const std::string& stage, const std::string& source, const std::string& options) const;
+
+  /// The same; as long as somebody holds it, everybody in the context gets the one program.
+  SharedProgram share(const cl::Context& context, const cl::Device& device, const DeviceTraits& traits,
+                      const std::string& stage, const std::string& source, const std::string& options) const;
+
+  /// Whether build() would compile nothing.
+  bool has(const DeviceTraits& traits, const std::string& source, const std::string& options) const;
 
   /// Where programs are kept from one process to the next, for other results that belong beside them.
   const DiskCache& disk() const { return m_disk; }
@@ -38,6 +50,7 @@ class ProgramCache {
 
  private:
   DiskCache m_disk;
+  bool m_costlyBinaries;
 };
 
 /// $XDG_CACHE_HOME/quell, else $HOME/.cache/quell, else empty.

@@ -132,6 +132,21 @@ int Plan::require(const std::string& name, const char* function, const char* arg
   throw Error(ErrorCode::InvalidArgument, {function, argument, "one of " + names, name});
 }
 
+bool operator==(const Plan& a, const Plan& b) {
+  const auto sameBuffer = [](const BufferSpec& x, const BufferSpec& y) {
+    return x.name == y.name && x.element == y.element && x.extent == y.extent && x.history == y.history &&
+           x.firstRow == y.firstRow && x.lastRow == y.lastRow;
+  };
+  const auto sameBinding = [](const Binding& x, const Binding& y) {
+    return x.buffer == y.buffer && x.port.exists == y.port.exists && x.port.access == y.port.access;
+  };
+  const auto sameRow = [&](const std::vector<Binding>& x, const std::vector<Binding>& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), sameBinding);
+  };
+  return std::equal(a.buffers.begin(), a.buffers.end(), b.buffers.begin(), b.buffers.end(), sameBuffer) &&
+         std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(), sameRow);
+}
+
 Plan makePlan(const Schedule& schedule, const Configuration& configuration) {
   Planner planner(configuration);
   for (const StageRow& row : schedule) planner.add(row);

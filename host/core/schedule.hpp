@@ -80,6 +80,9 @@ struct Plan {
   int require(const std::string& name, const char* function, const char* argument) const;
 };
 
+/// Whether the same buffers are bound to the same ports; names and rows decide.
+bool operator==(const Plan& a, const Plan& b);
+
 /// Throws std::logic_error naming row, port, what was expected and what came: a wire of a port that the stage does not
 /// have; ports of one buffer that differ in element or extent; a buffer that is read before any stage has written it;
 /// one that a stage reads and writes through different ports; a table that is not there.

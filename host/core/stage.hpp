@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,12 +46,27 @@ class KernelBuilder {
   const Configuration& m_configuration;
 };
 
-/// Compiles for a device, or takes from a cache what was compiled before. All arguments must outlive it.
+/// kernels/<stem>.cl with all that it includes.
+const std::string& kernelSource(const std::string& stem);
+
+/// Programs that somebody holds, by kernel function and compile options.
+class ProgramShelf {
+ public:
+  /// Null where there is none.
+  SharedProgram find(const std::string& stem, const std::string& options) const;
+  void put(const std::string& stem, const std::string& options, SharedProgram program);
+
+ private:
+  std::map<std::pair<std::string, std::string>, SharedProgram> m_programs;
+};
+
+/// Compiles for a device, or takes from a cache what was compiled before, and puts it on the shelf. All arguments must
+/// outlive it.
 class DeviceKernelBuilder : public KernelBuilder {
  public:
   DeviceKernelBuilder(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
-                      const Configuration& configuration)
-      : KernelBuilder(configuration), m_context(context), m_device(device), m_cache(cache) {}
+                      const Configuration& configuration, ProgramShelf& shelf)
+      : KernelBuilder(configuration), m_context(context), m_device(device), m_cache(cache), m_shelf(shelf) {}
 
   std::size_t maxWorkGroup(const cl::Kernel& kernel) const override;
 
@@ -61,6 +77,7 @@ class DeviceKernelBuilder : public KernelBuilder {
   const cl::Context& m_context;
   const cl::Device& m_device;
   const ProgramCache& m_cache;
+  ProgramShelf& m_shelf;
 };
 
 /// The part of a layout that is a kernel argument: in components, or in rows of an image object.

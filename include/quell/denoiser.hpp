@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <quell/check.hpp>
@@ -43,13 +44,20 @@ struct Options {
   /// Work-items that share a block in the fit, a power of two up to 256; 0: chosen. Brought into the range of
   /// the kernel: 16 to 256 (`householder`) or 2 to 256 (`gram`), with the wide mappings 1 to 256 by their lanes, or 1.
   int fitGroup = 0;
-  /// Where compiled kernels are kept. Absent: $XDG_CACHE_HOME/quell or ~/.cache/quell; empty string: nowhere; on
-  /// PoCL every denoiser then compiles its kernels from source, since to take their binaries compiles them twice.
+  /// Where compiled kernels are kept. Absent: $XDG_CACHE_HOME/quell or ~/.cache/quell, but not the kernels of PoCL, which
+  /// compiles each twice to give it away and keeps machine code itself: those only in a directory that is named here, for a
+  /// start that is quicker by tenths of a second. Empty string: nowhere.
   std::optional<std::string> cacheDirectory;
   /// Intermediate buffers of the method that keep their memory to the end of the frame, for Denoiser::readBuffer(); by
   /// name, as Denoiser::bufferNames() lists them. Others may share memory with later ones. prepare() throws
   /// Error(InvalidArgument) for a name that is none of them.
   std::vector<std::string> keptBuffers = {};
+  /// For bug reports: each prepare() begins a new folder in this one, into which frames are written with all that it takes
+  /// to run them again bit for bit (quell/replay.hpp). Absent: the environment variable QUELL_CAPTURE, and nowhere where
+  /// that is not set; empty: nowhere. Costs time and host memory; says what went wrong in captureState() alone.
+  std::optional<std::string> captureDirectory = {};
+  int captureFrames = 8;  ///< how many frames are written, >= 1
+  int captureSkip = 0;    ///< how many frames after prepare() are left out before, >= 0
 };
 
 /// Owns one reference to an OpenCL event.
@@ -126,7 +134,42 @@ struct BackgroundMap {
   double share() const;
 };
 
-/// Denoises a sequence of frames. One object serves one sequence on one queue; it may be used from several
+/// What has become of Options::captureDirectory.
+struct CaptureState {
+  std::string directory;  ///< the folder of the latest prepare(); empty: nothing is captured
+  int frames = 0;         ///< that are written there; the others may still be pending
+  std::string problem;    ///< a sentence on what ended the capture early; empty: nothing did
+};
+
+/// How far a preparation is.
+struct PrepareProgress {
+  std::string stage;  ///< what has been built or launched last, by its label
+  int done = 0;       ///< steps, each a kernel that is built or launched for the first time
+  int total = 0;
+};
+/// Called on the thread that prepares; may call Denoiser::cancelPrepare() and nothing else of that denoiser.
+using PrepareCallback = std::function<void(const PrepareProgress&)>;
+
+struct PrepareOptions {
+  /// Keeps the history where the method has the same buffers as before; after a change of size it is resampled, each pixel
+  /// from the nearest one. What cannot be kept starts afresh. Old and new buffers exist together for a while.
+  bool keepHistory = false;
+  std::optional<Settings> settings = {};  ///< of the same method, instead of those before
+  PrepareCallback progress = {};
+};
+
+/// Where the machine code of a stage would come from.
+enum class KernelState {
+  Missing,  ///< is compiled (a runtime may have it in a cache of its own, which cannot be asked)
+  Cached,   ///< on disk, or in this process
+  Built,    ///< by this denoiser
+};
+struct StageKernel {
+  std::string stage;  ///< by its label
+  KernelState state = KernelState::Missing;
+};
+
+/// Denoises a sequence of frames. One object serves one sequence on one queue at a time; it may be used from several
 /// threads by turns, not at once. Objects are independent of each other. Destroying one while its work is
 /// pending is safe.
 class Denoiser {
@@ -151,7 +194,18 @@ class Denoiser {
   /// at its final work-group size, so that no frame pays for it. Blocks. The images' memory may be null here:
   /// only layouts count; of image objects that are given the formats are checked. May be called again with another size or layout; the history is reset. If it throws,
   /// the denoiser is as if never prepared.
-  void prepare(const Frame& frame, const Output& output);
+  void prepare(const Frame& frame, const Output& output, const PrepareOptions& options = {});
+
+  /// The same on a thread of the denoiser's own; returns at once. Until isReady() denoise() throws Error(NotPrepared), and
+  /// everything else answers as before prepare(). What building throws is thrown by the next isReady() or denoise(), once.
+  /// Destroying the denoiser, or preparing again, cancels and waits for the kernel that is being compiled.
+  void prepareAsync(const Frame& frame, const Output& output, const PrepareOptions& options = {});
+  /// Whether denoise() may be called; does not block.
+  bool isReady();
+  /// Ends a preparation after the kernel that is being compiled: it throws Error(NotPrepared). From any thread.
+  void cancelPrepare();
+  /// What prepare() would have to compile for these layouts, stage by stage; compiles nothing. Throws as memoryNeeded().
+  std::vector<StageKernel> kernelStates(const Frame& frame, const Output& output) const;
 
   /// Enqueues the denoising of one frame; never builds, allocates device memory, copies through the host or
   /// blocks. Work starts when all events of the wait list have completed (on an in-order queue also after all
@@ -159,7 +213,17 @@ class Denoiser {
   /// layout differs from what was prepared, Error(WrongContext), Error(InvalidArgument) or Error(OutOfRange)
   /// for unusable buffers, events or cameras, Error(DeviceError) for a wait-list event that has failed; all
   /// of them before anything is enqueued. A frame that fails later restarts the history.
-  Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList = {});
+  /// `queue`: another one of the same context and device for this frame, which comes after the frame before by an event;
+  /// null: the constructor's.
+  Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList = {},
+                cl_command_queue queue = nullptr);
+
+  /// Takes other values from the next frame on; the history stays, nothing blocks. Throws Error(InvalidArgument) for
+  /// another method, Error(NotPrepared) naming the settings that need prepare() (PrepareOptions::settings), and changes
+  /// nothing then.
+  void setSettings(const Settings& settings);
+  /// Names of the settings whose change to these values needs prepare(); empty before prepare().
+  std::vector<std::string> settingsToPrepare(const Settings& settings) const;
 
   /// Says what is odd about a frame that denoise() would take, and what would cure it: transposed matrices, packed normals,
   /// depth of another kind, motion vectors of another sign, light that was summed up, and more (docs/check.md). For
@@ -189,6 +253,9 @@ class Denoiser {
   /// layouts.
   MemoryUse memoryNeeded(const Frame& frame, const Output& output) const;
 
+  /// What was written of Options::captureDirectory so far.
+  CaptureState captureState() const;
+
   /// Times of all frames that have finished so far; never waits for more. Empty if timers are off.
   Timings timings();
   void clearTimings();
@@ -197,6 +264,7 @@ class Denoiser {
 
  private:
   class Implementation;
+  friend class Replayer;
   std::unique_ptr<Implementation> m_implementation;
 };
 

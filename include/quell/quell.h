@@ -324,6 +324,10 @@ typedef struct quell_options {
   int fitGroup;               /* work-items per block of the fit, a power of two up to 256; 0: chosen */
   const char* cacheDirectory; /* of compiled kernels; NULL: the user's, "": none, see quell::Options */
   const char* keptBuffers;    /* intermediate buffers for quellReadBuffer, separated by commas; may be NULL */
+  const char*
+      captureDirectory; /* folder for bug reports; NULL: $QUELL_CAPTURE, "": none, see quell::Options */
+  int captureFrames;    /* how many frames are written there after each quellPrepare; 0: 8 */
+  int captureSkip;      /* how many are left out before */
 } quell_options;
 
 /* Denoises a sequence of frames on one queue. */
@@ -340,6 +344,56 @@ void quellDestroyDenoiser(quell_denoiser* denoiser);
 /* Builds all kernels for these layouts, allocates all memory and warms up; blocks. Memory may be NULL here. May be
  * called again for other sizes or layouts; the history is reset. */
 quell_status quellPrepare(quell_denoiser* denoiser, const quell_frame* frame, const quell_output* output);
+
+/* How far a preparation is: what has been built or launched last, and steps. Called on the thread that prepares; may call
+ * quellCancelPrepare and nothing else of that denoiser. */
+typedef void (*quell_prepare_callback)(const char* stage, int done, int total, void* user);
+
+typedef struct quell_prepare_options {
+  size_t structSize;
+  int keepHistory;                 /* 1: what can be kept is, resampled after a change of size */
+  const quell_settings* settings;  /* of the same method, instead of those before; may be NULL */
+  quell_prepare_callback progress; /* may be NULL */
+  void* user;                      /* for `progress` */
+} quell_prepare_options;
+
+/* quellPrepare with options; and on a thread of the denoiser's own, which returns at once: until quellIsReady says 1,
+ * quellDenoise returns QUELL_NOT_PREPARED. What building failed with is returned by the next quellIsReady or
+ * quellDenoise, once. `options` may be NULL. */
+quell_status quellPrepareWith(quell_denoiser* denoiser, const quell_frame* frame, const quell_output* output,
+                              const quell_prepare_options* options);
+quell_status quellPrepareAsync(quell_denoiser* denoiser, const quell_frame* frame, const quell_output* output,
+                               const quell_prepare_options* options);
+quell_status quellIsReady(quell_denoiser* denoiser, int* ready);
+/* Ends a preparation after the kernel that is being compiled, from any thread: it fails with QUELL_NOT_PREPARED. */
+quell_status quellCancelPrepare(quell_denoiser* denoiser);
+
+typedef int32_t quell_kernel_state;
+enum {
+  QUELL_KERNEL_MISSING =
+      0, /* is compiled (a runtime may have it in a cache of its own, which cannot be asked) */
+  QUELL_KERNEL_CACHED = 1, /* on disk, or in this process */
+  QUELL_KERNEL_BUILT = 2   /* by this denoiser */
+};
+typedef struct quell_stage_kernel {
+  size_t structSize;
+  const char* stage; /* lives until the next quellGetStageKernel of this denoiser */
+  quell_kernel_state state;
+} quell_stage_kernel;
+/* What quellPrepare would have to compile for these layouts, from 0 on; QUELL_INVALID_ARGUMENT for an index behind the
+ * last stage. Compiles nothing. */
+quell_status quellGetStageKernel(quell_denoiser* denoiser, const quell_frame* frame,
+                                 const quell_output* output, size_t index, quell_stage_kernel* kernel);
+
+/* Takes other values from the next frame on; the history stays, nothing blocks. QUELL_NOT_PREPARED, naming the settings
+ * that need quellPrepareWith, changes nothing. */
+quell_status quellSetSettings(quell_denoiser* denoiser, const quell_settings* settings);
+
+/* quellDenoise on another queue of the same context and device for this frame, which comes after the frame before by an
+ * event. */
+quell_status quellDenoiseOn(quell_denoiser* denoiser, cl_command_queue queue, const quell_frame* frame,
+                            const quell_output* output, cl_uint waitCount, const cl_event* waitList,
+                            cl_event* done);
 
 /* Enqueues one frame; never builds, allocates device memory, copies through the host or blocks. Work starts when all
  * of the wait list's events have completed (on an in-order queue also after all earlier commands). `done` receives an
@@ -414,7 +468,29 @@ typedef struct quell_buffer_content {
 quell_status quellReadBuffer(const quell_denoiser* denoiser, const char* name, float* values, size_t capacity,
                              quell_buffer_content* content);
 
-/* A copy of the settings that the denoiser was made with; the caller destroys it. */
+typedef struct quell_capture_state {
+  size_t structSize;
+  const char*
+      directory; /* of the latest quellPrepare; empty: nothing is captured. Texts as those of findings */
+  const char* problem; /* a sentence on what ended the capture early; empty: nothing did */
+  int frames;          /* that are written; the others may still be pending */
+} quell_capture_state;
+/* What was written of quell_options.captureDirectory so far; texts live until the next call for this denoiser. */
+quell_status quellGetCaptureState(quell_denoiser* denoiser, quell_capture_state* state);
+
+typedef struct quell_replay {
+  size_t structSize;
+  int equal;           /* 1: all outputs, bit for bit */
+  int frameCount;      /* of all folders */
+  int differenceCount; /* facts, such as device and driver, that were not the same where they were captured */
+  const char* text;    /* on all of it; lives until the next quellReplay on this thread */
+} quell_replay;
+/* Runs a captured folder, or all of them that lie in a folder, once more; blocks. QUELL_FILE_ERROR for folders that are no
+ * captures or are damaged. */
+quell_status quellReplay(const char* directory, cl_context context, cl_device_id device,
+                         cl_command_queue queue, quell_replay* replay);
+
+/* A copy of the settings of the denoiser; the caller destroys it. */
 quell_status quellGetDenoiserSettings(const quell_denoiser* denoiser, quell_settings** settings);
 
 /* --- Memory and times ------------------------------------------------------------------------------------------- */

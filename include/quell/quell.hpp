@@ -6,5 +6,6 @@
 #include <quell/devices.hpp>
 #include <quell/error.hpp>
 #include <quell/frame.hpp>
+#include <quell/replay.hpp>
 #include <quell/settings.hpp>
 #include <quell/timings.hpp>

@@ -61,7 +61,7 @@ std::map<std::string, Names> optionsInHelp() {
 
 TEST_CASE("help lists every command", "[cli]") {
   CHECK(listed(helpOf(""), "Subcommands:", 2) == Names{"bench", "check", "compare", "demo", "denoise",
-                                                       "devices", "f-beta", "kernels", "render",
+                                                       "devices", "f-beta", "kernels", "render", "replay",
                                                        "select-features", "stress", "tune", "tune-device"});
 }
 
@@ -78,6 +78,7 @@ TEST_CASE("help lists every option, with a word on each", "[cli]") {
   cli::addSelectFeaturesCommand(app);
   cli::addStressCommand(app);
   cli::addRenderCommand(app);
+  cli::addReplayCommand(app);
   cli::addTuneDeviceCommand(app);
   cli::addTuneCommand(app);
   const std::map<std::string, Names> shown = optionsInHelp();

@@ -86,7 +86,8 @@ StageHarness::StageHarness(const std::string& stem, const StageSetup& setup)
   for (StageRow& row : schedule)
     if (row.stage->name() == stem && skip-- == 0) m_stage = std::move(row.stage);
   if (!m_stage) throw std::logic_error("this setup's schedule has no stage " + stem);
-  m_stage->build(DeviceKernelBuilder(device.context, device.device, device.cache, m_configuration));
+  ProgramShelf shelf;
+  m_stage->build(DeviceKernelBuilder(device.context, device.device, device.cache, m_configuration, shelf));
   m_ports = m_stage->ports(m_configuration);
   allocate();
 }

@@ -18,6 +18,7 @@ void addKernelsCommand(CLI::App& app);
 void addSelectFeaturesCommand(CLI::App& app);
 void addStressCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
+void addReplayCommand(CLI::App& app);
 void addTuneDeviceCommand(CLI::App& app);
 void addTuneCommand(CLI::App& app);
 

@@ -1,0 +1,50 @@
+// Frames that were captured (Options::captureDirectory), run once more: for bug reports.
+#pragma once
+
+#include <CL/cl.h>
+
+#include <cstdint>
+#include <quell/denoiser.hpp>
+#include <string>
+#include <vector>
+
+namespace quell {
+
+struct ReplayedOutput {
+  std::string image;           ///< the member of Output
+  std::uint64_t captured = 0;  ///< FNV-1a of 64 bits over its pixels, row by row from the top, without gaps
+  std::uint64_t here = 0;
+};
+
+struct ReplayedFrame {
+  int number = 0;  ///< from 0 on, in the order of the capture
+  std::vector<ReplayedOutput> outputs;
+};
+
+/// Something that was not the same where the frames were captured.
+struct FactDifference {
+  std::string fact;  ///< for example "device" or "driver"
+  std::string captured;
+  std::string here;
+};
+
+/// One folder of a capture, run once more.
+struct Replay {
+  std::string directory;
+  std::string method;
+  std::vector<ReplayedFrame> frames;
+  std::vector<FactDifference> differences;
+
+  bool equal() const;  ///< all outputs, bit for bit
+};
+
+/// A line a frame, and what differs.
+std::string toText(const Replay& replay);
+
+/// Runs a captured folder, or all of them that lie in a folder, on this queue; blocks. Throws Error(FileError) for folders
+/// that are not captures or are damaged, and what prepare() and denoise() throw.
+std::vector<Replay> replay(const std::string& directory, cl_context context, cl_device_id device,
+                           cl_command_queue queue,
+                           const std::optional<std::string>& cacheDirectory = std::nullopt);
+
+}  // namespace quell
