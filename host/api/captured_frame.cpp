@@ -35,6 +35,8 @@ void describeFacts(Lines& lines, Facts& facts) {
   for (auto& part : facts.identity) lines.text("is", part);
   lines.line("lanes", facts.lanes);
   lines.line("mapping", facts.options.mapping);
+  if constexpr (Lines::kReads)
+    if (facts.options.mapping > Mapping::Wide16) lines.refuse("a mapping that there is", "another number");
   lines.line("workGroup", facts.options.workGroup);
   lines.line("fitGroup", facts.options.fitGroup);
   lines.count("keptBuffers", facts.options.keptBuffers);

@@ -1,5 +1,6 @@
 #include "host/api/captured_lines.hpp"
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <limits>
@@ -41,6 +42,7 @@ LineReader::LineReader(std::string path, const std::vector<unsigned char>& bytes
   if (place == std::string::npos || head.size() < m_size)
     refuse("lines of text with a checksum", bytes.empty() ? "an empty file" : "a file that has none");
   m_text = head.substr(0, place + 1);
+  m_lines = static_cast<std::size_t>(std::count(m_text.begin(), m_text.end(), '\n'));
   if (head.substr(place + 1, m_size - place - 1) != lastLine(m_text))
     refuse("lines as they were written", "others: the checksum differs");
 }

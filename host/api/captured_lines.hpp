@@ -76,7 +76,8 @@ class LineReader {
   void count(const char* word, Items& items) {
     std::uint64_t number = 0;
     line(word, number);
-    if (number > m_text.size()) refuse(std::string("a number of ") + word, std::to_string(number));
+    if (number > m_lines)
+      refuse(std::string("as many ") + word + " as there are lines", std::to_string(number));
     items.resize(static_cast<std::size_t>(number));
   }
   /// A block of bytes that lies behind the lines, in their order; readContents() fills it.
@@ -124,6 +125,7 @@ class LineReader {
   std::string m_path;
   std::string m_text;  // without the last line
   std::size_t m_size = 0;
+  std::size_t m_lines = 0;
   std::size_t m_next = 0;  // where the next line begins
   std::string m_line;      // the rest of this one
 };

@@ -28,7 +28,7 @@ class RemadeFrame {
   RemadeFrame(const cl::Context& context, const cl::CommandQueue& queue, const CapturedFrame& captured,
               const std::string& path)
       : frame(captured.frame) {
-    for (const CapturedMemory& memory : captured.memories) remake(context, queue, memory);
+    for (const CapturedMemory& memory : captured.memories) remake(context, queue, memory, path);
     for (const CapturedView& view : captured.views) {
       if (view.memory < 0 || static_cast<std::size_t>(view.memory) >= m_memories.size())
         refuse(path, "views of captured memory", "memory " + std::to_string(view.memory));
@@ -45,7 +45,8 @@ class RemadeFrame {
   Output output;
 
  private:
-  void remake(const cl::Context& context, const cl::CommandQueue& queue, const CapturedMemory& memory) {
+  void remake(const cl::Context& context, const cl::CommandQueue& queue, const CapturedMemory& memory,
+              const std::string& path) {
     const auto width = static_cast<std::size_t>(memory.width),
                height = static_cast<std::size_t>(memory.height);
     if (memory.isImage)
@@ -53,8 +54,14 @@ class RemadeFrame {
           cl::Image2D(context, CL_MEM_READ_WRITE, cl::ImageFormat(memory.order, memory.type), width, height));
     else
       m_memories.push_back(cl::Buffer(context, CL_MEM_READ_WRITE, static_cast<std::size_t>(memory.size)));
-    if (memory.content.empty()) return;
     const cl_mem handle = m_memories.back()();
+    if (memory.isImage) {
+      const std::size_t bytes =
+          width * height * cl::Image2D(handle, true).getImageInfo<CL_IMAGE_ELEMENT_SIZE>();
+      if (bytes != memory.size)
+        refuse(path, "an image of " + std::to_string(bytes) + " bytes", std::to_string(memory.size));
+    }
+    if (memory.content.empty()) return;
     if (memory.isImage)
       queue.enqueueWriteImage(cl::Image2D(handle, true), CL_TRUE, {0, 0, 0}, {width, height, 1}, 0, 0,
                               memory.content.data());

@@ -133,6 +133,17 @@ TEST_CASE("image objects and pending frames and later beginnings are captured as
   CHECK(replayed(directory.path()) == 1);  // the first prepare() had no frames
 }
 
+TEST_CASE("the environment asks for captures as well", "[cli]") {
+  const TemporaryDirectory directory;
+  setenv("QUELL_CAPTURE", directory.path().c_str(), 1);
+  CHECK(SmallDenoiser().denoiser.captureState().directory == directory.file("0001"));
+  Options none = testOptions();
+  none.captureDirectory = "";
+  CHECK(SmallDenoiser({}, none).denoiser.captureState().directory.empty());
+  unsetenv("QUELL_CAPTURE");
+  CHECK(SmallDenoiser().denoiser.captureState().directory.empty());
+}
+
 TEST_CASE("a capture that cannot be written never stops a frame", "[cli]") {
   const TemporaryDirectory directory;
   const Picture expected = SmallDenoiser().run(0, 1);
