@@ -1,4 +1,4 @@
-# quell.pc for pkg-config, with QUELL_CXX_RUNTIME linked. All paths are relative to the file itself, so that an
+# quell.pc for pkg-config, with QUELL_CXX_RUNTIME linked where the library is static. All paths are relative to the file itself, so that an
 # installed copy may be moved.
 foreach(folder LIBDIR INCLUDEDIR)
   file(RELATIVE_PATH QUELL_PC_${folder} ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_${folder}})
@@ -18,9 +18,14 @@ if(QUELL_OPENCL_PC_FOUND)
 else()
   string(APPEND QUELL_PC_LIBS " -lOpenCL")
 endif()
+set(QUELL_PC_LIBS_PRIVATE "")
 foreach(library IN LISTS QUELL_CXX_RUNTIME)
-  string(APPEND QUELL_PC_LIBS " -l${library}")
+  string(APPEND QUELL_PC_LIBS_PRIVATE " -l${library}")
 endforeach()
+if(NOT BUILD_SHARED_LIBS)
+  string(APPEND QUELL_PC_LIBS "${QUELL_PC_LIBS_PRIVATE}")
+  set(QUELL_PC_LIBS_PRIVATE "")
+endif()
 
 configure_file(${PROJECT_SOURCE_DIR}/cmake/quell.pc.in ${PROJECT_BINARY_DIR}/quell.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/quell.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/quell.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

@@ -18,7 +18,7 @@
 
 namespace quell {
 
-class Denoiser::Implementation {
+class QUELL_HIDDEN Denoiser::Implementation {
  public:
   Implementation(cl_context context, cl_device_id device, cl_command_queue queue, const Settings& settings,
                  const Options& options);

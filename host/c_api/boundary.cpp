@@ -103,6 +103,14 @@ void requireIndex(std::size_t index, std::size_t count, const char* function, co
               {function, argument, "an index below " + std::to_string(count), std::to_string(index)});
 }
 
+void requireCapacity(const void* array, std::size_t capacity, std::size_t needed, const char* function,
+                     const char* argument) {
+  if (capacity > 0) require(array, function, argument);
+  if (array != nullptr && capacity < needed)
+    throw Error(ErrorCode::InvalidArgument,
+                {function, "capacity", std::to_string(needed) + " or more", std::to_string(capacity)});
+}
+
 void refuseStructSize(const char* function, const char* argument, std::size_t expected, std::size_t got) {
   throw Error(ErrorCode::InvalidArgument,
               {function, std::string(argument) + ".structSize",

@@ -37,6 +37,10 @@ void requireIndex(std::size_t index, std::size_t count, const char* function, co
 /// A wait list as C++ has it. Throws Error(InvalidArgument) for events without a list.
 std::vector<cl_event> toEvents(cl_uint count, const cl_event* waitList, const char* function);
 
+/// Throws Error(InvalidArgument) for an array of the caller's that is too small, or absent in spite of its capacity.
+void requireCapacity(const void* array, std::size_t capacity, std::size_t needed, const char* function,
+                     const char* argument);
+
 [[noreturn]] void refuseStructSize(const char* function, const char* argument, std::size_t expected,
                                    std::size_t got);
 
@@ -46,6 +50,8 @@ constexpr std::size_t kFirstReleaseSize = sizeof(Struct);
 
 template <>
 inline constexpr std::size_t kFirstReleaseSize<quell_options> = offsetof(quell_options, keptBuffers);
+template <>
+inline constexpr std::size_t kFirstReleaseSize<quell_stage_timings> = offsetof(quell_stage_timings, label);
 
 /// A struct of the caller as this version of the header has it: fields beyond the caller's are zero. Throws
 /// Error(InvalidArgument) for null, a structSize below the first release's, or bytes beyond what is known here that

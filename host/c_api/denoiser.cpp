@@ -16,14 +16,17 @@ quell_time_statistics toC(const TimeStatistics& time) {
 
 quell_stage_timings toC(const StageTimings& stage) {
   const StageEventTimes& last = stage.last;
-  return {0,           stage.stage.c_str(), toC(stage.time), last.queued,
-          last.submit, last.start,          last.end,        stage.bytesMoved};
-}
-
-void requireCapacity(std::size_t capacity, std::size_t needed) {
-  if (capacity < needed)
-    throw Error(ErrorCode::InvalidArgument, {"quellReadBuffer", "capacity",
-                                             std::to_string(needed) + " or more", std::to_string(capacity)});
+  return {0,
+          stage.stage.c_str(),
+          toC(stage.time),
+          last.queued,
+          last.submit,
+          last.start,
+          last.end,
+          stage.bytesMoved,
+          stage.label.c_str(),
+          stage.skippedShare ? 1 : 0,
+          stage.skippedShare.value_or(0.0)};
 }
 
 }  // namespace
@@ -68,21 +71,6 @@ quell_status quellResetHistory(quell_denoiser* denoiser) {
   return guarded("quellResetHistory", [&] {
     require(denoiser, "quellResetHistory", "denoiser");
     denoiser->denoiser.resetHistory();
-  });
-}
-
-quell_status quellReadBuffer(const quell_denoiser* denoiser, const char* name, float* values, size_t capacity,
-                             quell_buffer_content* content) {
-  return guarded("quellReadBuffer", [&] {
-    require(denoiser, "quellReadBuffer", "denoiser");
-    require(name, "quellReadBuffer", "name");
-    if (capacity > 0) require(values, "quellReadBuffer", "values");
-    require(content, "quellReadBuffer", "content");
-    const quell::BufferContent read = denoiser->denoiser.readBuffer(name);
-    writeStruct(content, {0, read.width, read.height, read.planes}, "quellReadBuffer", "content");
-    if (values == nullptr) return;
-    requireCapacity(capacity, read.values.size());
-    std::copy(read.values.begin(), read.values.end(), values);
   });
 }
 

@@ -7,6 +7,11 @@ using namespace quell::c_api;
 
 extern "C" {
 
+const char* quellSeverityName(quell_severity severity) {
+  if (severity < QUELL_NOTE || severity > QUELL_WRONG) return "unknown";
+  return quell::toString(static_cast<quell::Severity>(severity));
+}
+
 quell_status quellCheckFrame(quell_denoiser* denoiser, const quell_frame* frame, cl_uint waitCount,
                              const cl_event* waitList, quell_frame_check* check) {
   return guarded("quellCheckFrame", [&] {

@@ -22,4 +22,6 @@ struct quell_denoiser {
   std::vector<std::string> sentences = {};  // of its findings
   quell::CaptureState capture = {};         // as of quellGetCaptureState
   std::string stage = {};                   // as of quellGetStageKernel
+  std::vector<std::string> buffers = {};    // as of quellCountBuffers
+  quell::BackgroundMap background = {};     // as of quellGetBackgroundMap
 };

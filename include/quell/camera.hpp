@@ -1,6 +1,8 @@
 // Camera of one frame, as the denoiser needs it to find where a surface point was one frame ago.
 #pragma once
 
+#include <quell/api.h>
+
 #include <array>
 
 namespace quell {
@@ -39,16 +41,16 @@ enum class MatrixOrder {
 };
 
 /// The 16 numbers of a matrix in this order.
-Matrix4 toMatrix4(const float* numbers, MatrixOrder order);
-Matrix4 toMatrix4(const double* numbers, MatrixOrder order);
+QUELL_API Matrix4 toMatrix4(const float* numbers, MatrixOrder order);
+QUELL_API Matrix4 toMatrix4(const double* numbers, MatrixOrder order);
 
 /// world to clip = (view to clip) * (world to view).
-Matrix4 product(const Matrix4& viewToClip, const Matrix4& worldToView);
+QUELL_API Matrix4 product(const Matrix4& viewToClip, const Matrix4& worldToView);
 
 /// World to clip of a pinhole camera; clip.w is the view depth. `up` points up in the picture, any length;
 /// `verticalFovDegrees` in (0, 180); `aspect`: width by height. Throws Error(InvalidArgument) where eye and target are one
 /// point, `up` lies along the line between them, or a number is out of range.
-Matrix4 lookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
-               const std::array<double, 3>& up, double verticalFovDegrees, double aspect);
+QUELL_API Matrix4 lookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
+                         const std::array<double, 3>& up, double verticalFovDegrees, double aspect);
 
 }  // namespace quell

@@ -1,6 +1,8 @@
 // What a check of a frame finds out: Denoiser::checkFrame(), `quell check`.
 #pragma once
 
+#include <quell/api.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -14,7 +16,7 @@ enum class Severity {
 };
 
 /// "note", "doubtful" or "wrong".
-const char* toString(Severity severity);
+QUELL_API const char* toString(Severity severity);
 
 /// One thing that is odd about a frame.
 struct Finding {
@@ -29,10 +31,10 @@ struct Finding {
 };
 
 /// Finding::got with the number of pixels, where there is one.
-std::string gotText(const Finding& finding);
+QUELL_API std::string gotText(const Finding& finding);
 
 /// "normalWorld: expected ..., got ... (N pixels); CURE".
-std::string toSentence(const Finding& finding);
+QUELL_API std::string toSentence(const Finding& finding);
 
 /// Something measured, whether or not it is odd.
 struct CheckFigure {
@@ -46,7 +48,7 @@ struct FrameCheck {
   std::vector<Finding> findings;  ///< causes before what follows from them
 
   /// Of the findings; Note if there are none.
-  Severity worst() const;
+  QUELL_API Severity worst() const;
 };
 
 }  // namespace quell

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CL/cl.h>
+#include <quell/api.h>
 
 #include <array>
 #include <cstddef>
@@ -61,7 +62,7 @@ struct Options {
 };
 
 /// Owns one reference to an OpenCL event.
-class Event {
+class QUELL_API Event {
  public:
   Event() = default;
   explicit Event(cl_event owned) : m_event(owned) {}
@@ -110,7 +111,7 @@ struct InputNeed {
 };
 
 /// What a method with these settings reads, in the order of frame_images.h, taken from its stages. Needs no device.
-std::vector<InputNeed> inputNeeds(const Settings& settings);
+QUELL_API std::vector<InputNeed> inputNeeds(const Settings& settings);
 
 /// An intermediate buffer as the latest frame has left it: where a stage leaves out background or has no history, that
 /// may be older values. Bytes, halves and integers are converted to floats; integers beyond 2^24 are rounded.
@@ -131,7 +132,7 @@ struct BackgroundMap {
   std::vector<std::string> stages;       ///< those that leave them out, by their labels
 
   /// Share of the work-items that are left out, 0 to 1.
-  double share() const;
+  QUELL_API double share() const;
 };
 
 /// What has become of Options::captureDirectory.
@@ -172,7 +173,7 @@ struct StageKernel {
 /// Denoises a sequence of frames. One object serves one sequence on one queue at a time; it may be used from several
 /// threads by turns, not at once. Objects are independent of each other. Destroying one while its work is
 /// pending is safe.
-class Denoiser {
+class QUELL_API Denoiser {
  public:
   /// Handles are retained as long as needed. Throws Error(WrongContext) if device or queue do not belong to
   /// the context, Error(InvalidArgument) for null handles, unusable options, or timers without a profiling

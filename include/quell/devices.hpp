@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CL/cl.h>
+#include <quell/api.h>
 
 #include <cstddef>
 #include <string>
@@ -30,11 +31,11 @@ struct DeviceInfo {
 
 /// All available devices of all platforms; platforms without devices are skipped.
 /// Throws Error(NoDevice) if there is no platform or no device at all, saying what to install.
-std::vector<DeviceInfo> listDevices();
+QUELL_API std::vector<DeviceInfo> listDevices();
 
 /// Picks a device. `spec` is empty (a GPU if there is one, else an accelerator, else a CPU; the first of its
 /// kind), an index from listDevices(), or part of a device or platform name (case ignored). Throws
 /// Error(NoDevice) if none fits, naming those there are.
-DeviceInfo chooseDevice(const std::string& spec = "");
+QUELL_API DeviceInfo chooseDevice(const std::string& spec = "");
 
 }  // namespace quell

@@ -1,6 +1,8 @@
 // The one exception type of Quell.
 #pragma once
 
+#include <quell/api.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -21,7 +23,7 @@ enum class ErrorCode {
 };
 
 /// The name of a code, for example "InvalidArgument".
-const char* toString(ErrorCode code);
+QUELL_API const char* toString(ErrorCode code);
 
 /// Where an error happened and how reality differed from what was expected.
 struct ErrorDetails {
@@ -32,7 +34,7 @@ struct ErrorDetails {
 };
 
 /// Thrown by every function of Quell that can fail. what() is one sentence made of all the fields.
-class Error : public std::runtime_error {
+class QUELL_API Error : public std::runtime_error {
  public:
   Error(ErrorCode code, ErrorDetails details);
 

@@ -9,19 +9,19 @@
  * writes no more than structSize bytes.
  *
  * Objects may be used from several threads by turns, not at once; different objects at once. Enumerations are 32-bit
- * integers, so that their size does not depend on the compiler. */
+ * integers, so that their size does not depend on the compiler. With QUELL_DECLARATIONS_ONLY defined no function has a
+ * body here, for languages that read the header themselves. */
 #ifndef QUELL_QUELL_H
 #define QUELL_QUELL_H
 
 #include <CL/cl.h>
+#include <quell/api.h>
 #include <quell/frame_images.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+QUELL_C_API_BEGIN
 
 #define QUELL_INIT(object)                \
   do {                                    \
@@ -266,6 +266,7 @@ typedef struct quell_output {
 } quell_output;
 #undef QUELL_VIEW
 
+#ifndef QUELL_DECLARATIONS_ONLY
 /* A packed image at the start of a buffer; `memory` may be NULL for quellPrepare. */
 static inline quell_image_view quellPackedImage(cl_mem memory, int channels, quell_component_format format) {
   quell_image_view view;
@@ -295,6 +296,13 @@ static inline quell_image_view quellBottomUp(quell_image_view view, int width, i
   }
   return view;
 }
+
+/* A view whose pixels are sums. */
+static inline quell_image_view quellSummed(quell_image_view view, quell_sum sum) {
+  view.sum = sum;
+  return view;
+}
+#endif
 
 /* --- Denoiser --------------------------------------------------------------------------------------------------- */
 
@@ -414,6 +422,9 @@ enum {
   QUELL_WRONG = 2     /* against the contract (frame_images.h) */
 };
 
+/* "note", "doubtful" or "wrong"; "unknown" for other numbers. */
+const char* quellSeverityName(quell_severity severity);
+
 typedef struct quell_frame_check {
   size_t structSize;
   quell_severity worst; /* of the findings; QUELL_NOTE if there are none */
@@ -452,6 +463,11 @@ quell_status quellCheckFrame(quell_denoiser* denoiser, const quell_frame* frame,
 quell_status quellGetFinding(const quell_denoiser* denoiser, size_t index, quell_finding* finding);
 quell_status quellGetCheckFigure(const quell_denoiser* denoiser, size_t index, quell_check_figure* figure);
 
+/* The method's intermediate buffers, in the order in which a frame touches them; none before quellPrepare. Names live
+ * until the next quellCountBuffers of this denoiser, which quellGetBufferName needs first. */
+quell_status quellCountBuffers(quell_denoiser* denoiser, size_t* count);
+quell_status quellGetBufferName(const quell_denoiser* denoiser, size_t index, const char** name);
+
 /* An intermediate buffer, for debugging. */
 typedef struct quell_buffer_content {
   size_t structSize;
@@ -489,6 +505,25 @@ typedef struct quell_replay {
  * captures or are damaged. */
 quell_status quellReplay(const char* directory, cl_context context, cl_device_id device,
                          cl_command_queue queue, quell_replay* replay);
+
+/* What the latest frame left out because it is background (setting `skip`). All zero before the first frame after
+ * quellPrepare or quellResetHistory, and for methods and settings that leave out nothing. */
+typedef struct quell_background_map {
+  size_t structSize;
+  int itemWidth;     /* pixels of a row that one work-item takes, 1 or 16 */
+  int columns;       /* work-items across */
+  int rows;          /* work-items down, one a row of pixels */
+  double share;      /* of the work-items that are left out, 0 to 1 */
+  size_t stageCount; /* stages that leave them out */
+} quell_background_map;
+
+/* Blocks until the latest frame is done. `background` receives columns * rows bytes, row by row, 1: all pixels of the
+ * work-item are background; NULL with capacity 0 to learn the size alone. QUELL_INVALID_ARGUMENT for a smaller
+ * capacity. quellGetBackgroundStage then gives the labels of the stages, from 0 to stageCount - 1; they live until the
+ * next quellGetBackgroundMap of this denoiser. */
+quell_status quellGetBackgroundMap(quell_denoiser* denoiser, unsigned char* background, size_t capacity,
+                                   quell_background_map* map);
+quell_status quellGetBackgroundStage(const quell_denoiser* denoiser, size_t index, const char** label);
 
 /* A copy of the settings of the denoiser; the caller destroys it. */
 quell_status quellGetDenoiserSettings(const quell_denoiser* denoiser, quell_settings** settings);
@@ -538,6 +573,9 @@ typedef struct quell_stage_timings {
   uint64_t lastStartNs; /* of the stage's first kernel */
   uint64_t lastEndNs;   /* of its last kernel */
   uint64_t bytesMoved;  /* that the stage must read and write per frame, each counted once */
+  const char* label;    /* the stage's name, with what tells it from others of that name; lives as `stage` */
+  int hasSkippedShare;  /* 0 where it is not known, or nothing can be left out */
+  double skippedShare;  /* work left out over all work, 0 to 1 */
 } quell_stage_timings;
 
 /* What quellPrepare would allocate for these layouts; quellGetBufferUse then gives the parts. Allocates and builds
@@ -554,8 +592,6 @@ quell_status quellGetTimings(quell_denoiser* denoiser, quell_timings* timings);
 quell_status quellGetStageTimings(const quell_denoiser* denoiser, size_t index, quell_stage_timings* timings);
 quell_status quellClearTimings(quell_denoiser* denoiser);
 
-#ifdef __cplusplus
-}
-#endif
+QUELL_C_API_END
 
 #endif

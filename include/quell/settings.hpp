@@ -1,6 +1,8 @@
 // Methods and their settings, by name: one list serves C++ callers, command lines, files and documentation.
 #pragma once
 
+#include <quell/api.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +33,7 @@ struct SettingDescription {
 };
 
 /// Values of the settings of one method; starts at the defaults.
-class Settings {
+class QUELL_API Settings {
  public:
   /// Throws Error(UnknownSetting) for an unknown method; methodNames() lists them.
   explicit Settings(const std::string& method = "quell");
@@ -65,10 +67,10 @@ class Settings {
   std::vector<Value> m_values;  // in the order of descriptions()
 };
 
-std::vector<std::string> methodNames();
+QUELL_API std::vector<std::string> methodNames();
 /// One line on what a method does. Throws Error(UnknownSetting).
-std::string methodSummary(const std::string& method);
+QUELL_API std::string methodSummary(const std::string& method);
 /// Throws Error(UnknownSetting).
-const std::vector<SettingDescription>& methodSettings(const std::string& method);
+QUELL_API const std::vector<SettingDescription>& methodSettings(const std::string& method);
 
 }  // namespace quell

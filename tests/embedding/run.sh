@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs a build into a prefix, moves it, and builds and runs the programs of this folder against it, with CMake and
-# with pkg-config: run.sh BUILD_DIR WORK_DIR SOURCE_DIR
+# Installs a build into a prefix, moves it, and builds and runs the programs of this folder against it, with CMake (the
+# shared library and the static one, where both are there) and with pkg-config: run.sh BUILD_DIR WORK_DIR SOURCE_DIR
 set -eu
 prefix=$2/prefix source=$3/tests/embedding
 rm -rf "$2"
@@ -12,13 +12,15 @@ build_against_prefix() {
   cmake --build "$2" >/dev/null
 }
 build_against_prefix "$source" "$2/cxx"
-"$2/cxx/first_frame"
-"$2/cxx/queues"
 build_against_prefix "$source/c" "$2/c"
-"$2/c/first_frame"
+"$2/cxx/queues"
+for program in "$2"/cxx/first_frame* "$2"/c/first_frame*; do
+  [ -d "$program" ] || "$program"
+done
 
 PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name quell.pc)")
-export PKG_CONFIG_PATH
+LD_LIBRARY_PATH=$(pkg-config --variable=libdir "$PKG_CONFIG_PATH/quell.pc")
+export PKG_CONFIG_PATH LD_LIBRARY_PATH
 # shellcheck disable=SC2046
 ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -DCL_TARGET_OPENCL_VERSION=120 "$source/c/first_frame.c" \
   -o "$2/first_frame_pkg_config" $(pkg-config --cflags --libs quell)

@@ -1,0 +1,13 @@
+# headers_alone(suffix pattern): compiles every installed header that fits the pattern by itself, in a file with this suffix.
+function(headers_alone suffix pattern)
+  get_target_property(folder quell::quell INTERFACE_INCLUDE_DIRECTORIES)
+  file(GLOB headers RELATIVE ${folder} ${folder}/quell/${pattern})
+  set(sources "")
+  foreach(header IN LISTS headers)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/alone/${header}.${suffix})
+    file(WRITE ${source} "#include <${header}>\ntypedef int NotEmpty;\n")
+    list(APPEND sources ${source})
+  endforeach()
+  add_library(headers OBJECT ${sources})
+  target_link_libraries(headers PRIVATE quell::quell)
+endfunction()
