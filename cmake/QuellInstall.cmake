@@ -29,7 +29,12 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/quellConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/quellConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/quellConfig.cmake ${PROJECT_BINARY_DIR}/quellConfigVersion.cmake
         DESTINATION ${package_folder} COMPONENT development)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 if(TARGET quell_tool)
   install(TARGETS quell_tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tool)
+  include(QuellManual)
+endif()
+if(QUELL_PACKAGE)
+  include(QuellPackage)
+else()
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 endif()

@@ -1,6 +1,7 @@
 #include "host/cli/run_tool.hpp"
 
 #include <fmt/format.h>
+#include <quell/quell.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -14,6 +15,7 @@ namespace quell::cli {
 int runTool(int argc, const char* const* argv) {
   CLI::App app{"Quell removes the noise from path-traced frame sequences on any OpenCL device.", "quell"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("quell ") + quellVersion());
   addDenoiseCommand(app);
   addCheckCommand(app);
   addCompareCommand(app);
@@ -30,6 +32,7 @@ int runTool(int argc, const char* const* argv) {
   addTuneDeviceCommand(app);
   addTuneCommand(app);
 #endif
+  addManualCommands(app);
   try {
     app.parse(argc, argv);
     return 0;

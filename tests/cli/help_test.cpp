@@ -23,16 +23,18 @@ using Names = std::set<std::string>;
 // What the options of other programs are called by.
 const std::regex kOtherPrograms("cmake|ctest|pkg-config|quell_bench|gpu_resources");
 
-std::string helpOf(const std::string& command) {
-  std::vector<const char*> argv = {"quell"};
-  if (!command.empty()) argv.push_back(command.c_str());
-  argv.push_back("--help");
+std::string printed(std::vector<const char*> argv) {
+  argv.insert(argv.begin(), "quell");
   std::ostringstream text;
   std::streambuf* const before = std::cout.rdbuf(text.rdbuf());
   const int code = cli::runTool(static_cast<int>(argv.size()), argv.data());
   std::cout.rdbuf(before);
   CHECK(code == 0);
   return text.str();
+}
+
+std::string helpOf(const std::string& command) {
+  return command.empty() ? printed({"--help"}) : printed({command.c_str(), "--help"});
 }
 
 Names found(const std::string& text, const std::regex& pattern) {
@@ -60,9 +62,9 @@ std::map<std::string, Names> optionsInHelp() {
 }  // namespace
 
 TEST_CASE("help lists every command", "[cli]") {
-  CHECK(listed(helpOf(""), "Subcommands:", 2) == Names{"bench", "check", "compare", "demo", "denoise",
-                                                       "devices", "f-beta", "kernels", "render", "replay",
-                                                       "select-features", "stress", "tune", "tune-device"});
+  CHECK(listed(helpOf(""), "Subcommands:", 2) ==
+        Names{"bench", "check", "compare", "completion", "demo", "denoise", "devices", "f-beta", "kernels",
+              "man", "render", "replay", "select-features", "stress", "tune", "tune-device"});
 }
 
 TEST_CASE("help lists every option, with a word on each", "[cli]") {
@@ -75,6 +77,7 @@ TEST_CASE("help lists every option, with a word on each", "[cli]") {
   cli::addDevicesCommand(app);
   cli::addFBetaCommand(app);
   cli::addKernelsCommand(app);
+  cli::addManualCommands(app);
   cli::addSelectFeaturesCommand(app);
   cli::addStressCommand(app);
   cli::addRenderCommand(app);
@@ -93,6 +96,24 @@ TEST_CASE("help lists every option, with a word on each", "[cli]") {
       options.insert("--" + option->get_lnames().front());
     }
     CHECK(shown.at(command->get_name()) == options);
+  }
+}
+
+TEST_CASE("the manual page and completions have every option that help lists", "[cli]") {
+  const std::string page = std::regex_replace(printed({"man"}), std::regex("\\\\-"), "-");
+  for (const auto& [command, options] : optionsInHelp()) {
+    INFO(command);
+    const std::size_t begin = page.find(".SS quell " + command + "\n");
+    REQUIRE(begin != std::string::npos);
+    const std::string section = page.substr(begin, page.find("\n.S", begin) - begin);
+    CHECK(found(section, std::regex("\n\\\\fB(?:-\\w, )?(--[a-z][\\w-]*)")) == options);
+    for (const char* shell : {"bash", "zsh", "fish"}) {
+      const std::string text = printed({"completion", shell});
+      INFO(shell);
+      CHECK_THAT(text, Catch::Contains(command));
+      for (const std::string& option : options)
+        CHECK_THAT(text, Catch::Contains(option) || Catch::Contains(" -l " + option.substr(2) + " "));
+    }
   }
 }
 

@@ -27,3 +27,5 @@ ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -DCL_TARGET_OPENCL_VERSION=12
 "$2/first_frame_pkg_config"
 
 "$prefix/bin/quell" --help >/dev/null
+grep -q '^\.TH QUELL' "$(find "$prefix" -name quell.1)"
+find "$prefix" -path '*doc/quell/LICENSE' | grep -q .

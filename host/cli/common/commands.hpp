@@ -15,6 +15,7 @@ void addDemoCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addFBetaCommand(CLI::App& app);
 void addKernelsCommand(CLI::App& app);
+void addManualCommands(CLI::App& app);
 void addSelectFeaturesCommand(CLI::App& app);
 void addStressCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
