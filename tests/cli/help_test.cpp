@@ -51,6 +51,13 @@ Names listed(const std::string& help, const std::string& heading, int indent) {
   return found(help.substr(start), std::regex("\n" + std::string(std::size_t(indent), ' ') + "([\\w-]+)"));
 }
 
+std::string between(const std::string& text, const std::string& first, const std::string& last) {
+  const std::size_t found = text.find(first);
+  if (found == std::string::npos) return "";
+  const std::size_t begin = found + first.size();
+  return text.substr(begin, text.find(last, begin) - begin);
+}
+
 // By command.
 std::map<std::string, Names> optionsInHelp() {
   std::map<std::string, Names> options;
@@ -101,19 +108,20 @@ TEST_CASE("help lists every option, with a word on each", "[cli]") {
 
 TEST_CASE("the manual page and completions have every option that help lists", "[cli]") {
   const std::string page = std::regex_replace(printed({"man"}), std::regex("\\\\-"), "-");
+  const std::string bash = printed({"completion", "bash"}), zsh = printed({"completion", "zsh"});
+  const std::string fish = printed({"completion", "fish"});
   for (const auto& [command, options] : optionsInHelp()) {
     INFO(command);
-    const std::size_t begin = page.find(".SS quell " + command + "\n");
-    REQUIRE(begin != std::string::npos);
-    const std::string section = page.substr(begin, page.find("\n.S", begin) - begin);
-    CHECK(found(section, std::regex("\n\\\\fB(?:-\\w, )?(--[a-z][\\w-]*)")) == options);
-    for (const char* shell : {"bash", "zsh", "fish"}) {
-      const std::string text = printed({"completion", shell});
-      INFO(shell);
-      CHECK_THAT(text, Catch::Contains(command));
-      for (const std::string& option : options)
-        CHECK_THAT(text, Catch::Contains(option) || Catch::Contains(" -l " + option.substr(2) + " "));
-    }
+    const std::regex inPage("\n\\\\fB(?:-\\w, )?(--[a-z][\\w-]*)");
+    CHECK(found(between(page, ".SS quell " + command + "\n", "\n.S"), inPage) == options);
+    const std::string inBash = between(bash, "\n    " + command + ") options='", "'");
+    CHECK(found(inBash, std::regex("(--[a-z][\\w-]*)")) == options);
+    const std::string inZsh = between(zsh, "\n    " + command + ")\n", ";;");
+    CHECK(found(inZsh, std::regex("'\\*(--[a-z][\\w-]*)\\[")) == options);
+    Names inFish;
+    const std::regex name("subcommand_from " + command + "' -l ([a-z][\\w-]*)");
+    for (const std::string& option : found(fish, name)) inFish.insert("--" + option);
+    CHECK(inFish == options);
   }
 }
 

@@ -58,7 +58,7 @@ stage.
 )";
 
 constexpr const char* kEnd = R"(.SH EXIT STATUS
-0 on success, 1 after an error that is said on standard error, 100 and above for command lines that are not understood.
+0 on success, 1 after an error, which is said on standard error; of check see there.
 .SH ENVIRONMENT
 .TP
 .B XDG_CACHE_HOME
