@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CL/cl.h>
+#include <quell/api.h>
 
 #include <cstdint>
 #include <quell/denoiser.hpp>
@@ -35,16 +36,16 @@ struct Replay {
   std::vector<ReplayedFrame> frames;
   std::vector<FactDifference> differences;
 
-  bool equal() const;  ///< all outputs, bit for bit
+  QUELL_API bool equal() const;  ///< all outputs, bit for bit
 };
 
 /// A line a frame, and what differs.
-std::string toText(const Replay& replay);
+QUELL_API std::string toText(const Replay& replay);
 
 /// Runs a captured folder, or all of them that lie in a folder, on this queue; blocks. Throws Error(FileError) for folders
 /// that are not captures or are damaged, and what prepare() and denoise() throw.
-std::vector<Replay> replay(const std::string& directory, cl_context context, cl_device_id device,
-                           cl_command_queue queue,
-                           const std::optional<std::string>& cacheDirectory = std::nullopt);
+QUELL_API std::vector<Replay> replay(const std::string& directory, cl_context context, cl_device_id device,
+                                     cl_command_queue queue,
+                                     const std::optional<std::string>& cacheDirectory = std::nullopt);
 
 }  // namespace quell

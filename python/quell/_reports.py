@@ -47,6 +47,15 @@ class BackgroundMap:
     stages: List[str]  #: those that leave them out
 
 
+@dataclasses.dataclass(frozen=True)
+class CaptureState:
+    """What has become of a capture for a bug report."""
+
+    directory: str  #: the folder of the latest prepare(); empty: nothing is captured
+    frames: int  #: that are written there; the others may still be pending
+    problem: str  #: a sentence on what ended the capture early; empty: nothing did
+
+
 def _finding(denoiser: Any, index: int) -> Finding:
     found = filled(lib.quellGetFinding, "quell_finding", denoiser, index)
     return Finding(text(found.kind), text(lib.quellSeverityName(found.severity)), text(found.image), text(found.expected),

@@ -74,9 +74,14 @@ class Pictures(unittest.TestCase):
             images["albedo"] = quell.packed(images["albedo"].base_data, 3)  # a bare buffer
             frame = quell.Frame(camera(), **images)
             if number == 0:
-                other.prepare(frame, output)
+                steps = []
+                other.prepare_async(frame, output, progress=lambda stage, done, total: steps.append((done, total)))
+                while not other.is_ready():
+                    pass
+                self.assertEqual(steps[-1][0], steps[-1][1])
             gate = cl.UserEvent(other.queue.context)
-            done = other.denoise(frame, output, wait_for=[gate])
+            queue = cl.CommandQueue(other.queue.context) if number == 1 else None
+            done = other.denoise(frame, output, wait_for=[gate], queue=queue)
             self.assertNotEqual(done.command_execution_status, cl.command_execution_status.COMPLETE)
             gate.set_status(cl.command_execution_status.COMPLETE)
             done.wait()
@@ -100,6 +105,13 @@ class Pictures(unittest.TestCase):
         self.assertEqual(background.background.shape[0], HEIGHT)
         self.assertAlmostEqual(background.share, 0.25)
         self.assertEqual(self.arrays.settings["iterations"], 2)
+        self.assertEqual(self.arrays.capture_state().directory, "")
+        settings = self.arrays.settings
+        settings["iterations"] = 3
+        with self.assertRaises(quell.Error) as raised:
+            self.arrays.set_settings(settings)
+        self.assertEqual(raised.exception.code, "NotPrepared")
+        self.assertIn("iterations", str(raised.exception))
 
 
 class Checks(unittest.TestCase):
