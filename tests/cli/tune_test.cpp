@@ -176,17 +176,15 @@ TEST_CASE("tune writes the Pareto set, and what became of it on other sequences"
   const std::string report = directory.file("denoise.json");
   REQUIRE(quell({"denoise", "--method", "atrous", "--set", "iterations=3", "--input", tuned, "--json",
                  report}) == 0);
-  const json linear = readJson(report).at("errors").at(0).at("linear");
+  const json denoised = readJson(report), linear = denoised.at("errors").at(0).at("linear");
   const json& third = settings[2].at("sequences").at(0);
   for (const char* figure : {"unbiased_rmse", "ssim", "flip"})
     CHECK(third.at(figure).get<double>() == Approx(linear.at(figure).get<double>()));
-  CHECK(third.at("temporal_error").get<double>() ==
-        Approx(readJson(report).at("temporal_error").get<double>()));
+  CHECK(third.at("temporal_error").get<double>() == Approx(denoised.at("temporal_error").get<double>()));
 
-  const std::string text = io::readFile(markdown);
-  CHECK_THAT(text, Catch::Contains("Tuned on:") && Catch::Contains(tuned) &&
-                       Catch::Contains("Confirmed on") && Catch::Contains(confirmed) &&
-                       Catch::Contains("| iterations=3 |"));
+  CHECK_THAT(io::readFile(markdown), Catch::Contains("Tuned on:") && Catch::Contains(tuned) &&
+                                         Catch::Contains("Confirmed on") && Catch::Contains(confirmed) &&
+                                         Catch::Contains("| iterations=3 |"));
 }
 
 TEST_CASE("tune goes on without settings that the library refuses", "[cli]") {
