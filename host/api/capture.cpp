@@ -1,6 +1,6 @@
 #include "host/api/capture.hpp"
 
-#include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <cstdlib>
 #include <filesystem>
@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostFolders = 9999;
+constexpr std::chrono::seconds kMostWait(30);  // for a disk that is slow, not for one that hangs
 
 /// A folder of the next number, which nobody else has taken.
 std::string makeFolder(const fs::path& directory) {
@@ -142,7 +143,7 @@ Capture::~Capture() {
     cl_int status = CL_QUEUED;
     clGetEventInfo(shot->last(), CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof(status), &status, nullptr);
     // Callbacks come a little after the end of what they are of.
-    if (status <= CL_COMPLETE) shot->changed.wait(lock, [&] { return shot->written; });
+    if (status <= CL_COMPLETE) shot->changed.wait_for(lock, kMostWait, [&] { return shot->written; });
   }
 }
 

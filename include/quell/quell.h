@@ -486,10 +486,9 @@ quell_status quellReadBuffer(const quell_denoiser* denoiser, const char* name, f
 
 typedef struct quell_capture_state {
   size_t structSize;
-  const char*
-      directory; /* of the latest quellPrepare; empty: nothing is captured. Texts as those of findings */
-  const char* problem; /* a sentence on what ended the capture early; empty: nothing did */
-  int frames;          /* that are written; the others may still be pending */
+  const char* directory; /* the folder of the latest quellPrepare; empty: nothing is captured */
+  const char* problem;   /* a sentence on what ended the capture early; empty: nothing did */
+  int frames;            /* that are written; the others may still be pending */
 } quell_capture_state;
 /* What was written of quell_options.captureDirectory so far; texts live until the next call for this denoiser. */
 quell_status quellGetCaptureState(quell_denoiser* denoiser, quell_capture_state* state);
