@@ -31,12 +31,14 @@ QUELL_INLINE float3L backgroundRadiance(FrameImages images, int x, int y, int la
   return sum;
 }
 
+#if ANTIALIAS
 // Whether antialiasing looks at these pixels: it works on background next to surfaces as well, and there on the 3x3
 // pixels around.
 QUELL_INLINE int isSeenByAntialiasing(__global const uchar* surfaces, PlaneParams planes, int x, int y) {
   const int reach = 2;
   return anySurface(surfaces, planes, x - reach, y - reach, x + QUELL_LANES - 1 + reach, y + reach);
 }
+#endif
 
 __kernel void background(STAGE_ARGUMENTS(BACKGROUND) BackgroundParams params) {
   BEGIN_PIXELS(params.planes);

@@ -9,12 +9,11 @@ QUELL_NAMESPACE_BEGIN
 typedef struct TemporalAntialiasingParams {
   PlaneParams planes;
   OutputImageParams outputs;
-  QuellFloat exposure;          // factor of radiance in the display image
-  QuellFloat newestWeight;      // weight of the newest frame, (0, 1]
-  QuellFloat silhouetteWeight;  // the same where surfaces clearly apart meet
-  QuellFloat backgroundDepth;   // what pixels without a surface have as their view depth
-  QuellInt
-      antialiasBackground;  // whether background takes part, as it must where rays are jittered; 1 without SKIP
+  QuellFloat exposure;           // factor of radiance in the display image
+  QuellFloat newestWeight;       // weight of the newest frame, (0, 1]
+  QuellFloat silhouetteWeight;   // the same where surfaces clearly apart meet
+  QuellFloat backgroundDepth;    // what pixels without a surface have as their view depth
+  QuellInt antialiasBackground;  // whether background takes part, as it must where rays are jittered
 } TemporalAntialiasingParams;
 
 QUELL_NAMESPACE_END

@@ -54,8 +54,8 @@ void addOutputStages(Schedule& table, const Configuration& configuration, const 
   if (!taa) return;
   const double newestWeight =
       antialiasing.jitteredRays ? antialiasing.taaJitteredWeight : antialiasing.taaNewestWeight;
-  add(table, TemporalAntialiasing(configuration,
-                                  {newestWeight, antialiasing.taaSilhouetteWeight, linear, skip && !always}));
+  add(table, TemporalAntialiasing(configuration, {newestWeight, antialiasing.taaSilhouetteWeight, linear,
+                                                  always, skip && !always}));
 }
 
 }  // namespace quell

@@ -9,7 +9,9 @@ namespace quell {
 QUELL_PORTS(TemporalAntialiasingOptions, TEMPORAL_ANTIALIASING)
 
 TemporalAntialiasing::TemporalAntialiasing(const Configuration& configuration, const Setup& setup)
-    : m_newestWeight(setup.newestWeight), m_silhouetteWeight(setup.silhouetteWeight) {
+    : m_newestWeight(setup.newestWeight),
+      m_silhouetteWeight(setup.silhouetteWeight),
+      m_antialiasBackground(setup.antialiasBackground) {
   QUELL_SIGNALS = signalCount(configuration.frame);
   setSkipOptions<TemporalAntialiasingOptions>(*this, configuration, setup.skip);
   setDisplayOptions<TemporalAntialiasingOptions>(*this, configuration);
@@ -28,7 +30,7 @@ TemporalAntialiasingParams TemporalAntialiasing::params(const FrameRun& run) con
   params.newestWeight = static_cast<float>(m_newestWeight);
   params.silhouetteWeight = static_cast<float>(m_silhouetteWeight);
   params.backgroundDepth = run.reprojection.viewDepth.w;
-  params.antialiasBackground = SKIP == 0 || isJittered(run.frame.camera) ? 1 : 0;
+  params.antialiasBackground = m_antialiasBackground || isJittered(run.frame.camera) ? 1 : 0;
   return params;
 }
 

@@ -12,10 +12,11 @@ QUELL_OPTIONS(TemporalAntialiasingOptions, TEMPORAL_ANTIALIASING, "temporal_anti
 class TemporalAntialiasing : public KernelStage<TemporalAntialiasingOptions, TemporalAntialiasingParams> {
  public:
   struct Setup {
-    double newestWeight = 0.2;      ///< of the newest frame, (0, 1]
-    double silhouetteWeight = 0.2;  ///< the same where surfaces clearly apart meet
-    bool antialiasLinear = false;   ///< writes the linear image as well
-    bool skip = false;  ///< leaves background to the stage background, unless the camera is jittered
+    double newestWeight = 0.2;         ///< of the newest frame, (0, 1]
+    double silhouetteWeight = 0.2;     ///< the same where surfaces clearly apart meet
+    bool antialiasLinear = false;      ///< writes the linear image as well
+    bool antialiasBackground = false;  ///< background takes part whatever the camera's jitter
+    bool skip = false;                 ///< leaves background that takes no part to the stage background
   };
   TemporalAntialiasing(const Configuration& configuration, const Setup& setup);
   Coverage coverage(const Frame& frame) const override;
@@ -25,6 +26,7 @@ class TemporalAntialiasing : public KernelStage<TemporalAntialiasingOptions, Tem
 
  private:
   double m_newestWeight, m_silhouetteWeight;
+  bool m_antialiasBackground;
 };
 
 }  // namespace quell
