@@ -12,6 +12,7 @@
 
 #define BACKGROUND_PORTS(PORT, IMAGE, OUTPUT)                                            \
   LIGHT_IMAGES(IMAGE, 1)                                                                 \
+  IMAGE(f0, F0, 1, F0_DIMS_GLOSS)                                                        \
   SURFACES_PORT(PORT)                                                                    \
   PORT(beforeAntialiasing,    WRITE, FLOAT, 3, antialiasBackground ? 1 : NEAR_SURFACES, ANTIALIAS) \
   PORT(antialiased, WRITE, FLOAT, 3, antialiasBackground ? 0 : 1,           ANTIALIAS)   \

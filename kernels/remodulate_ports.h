@@ -19,6 +19,7 @@
   PORT(lightGain, READ,  FLOAT, RECORDS(lightTiles),                  SURFACES,                  KEEP_LIGHT)   \
   F_BETA_KEPT_PORT(PORT, READ, 1)                                                                              \
   LIGHT_IMAGES(IMAGE, 1)                                                                                       \
+  IMAGE(f0, F0, 1, F0_DIMS_GLOSS)                                                                              \
   PORT(beforeAntialiasing,  WRITE, FLOAT, 3,                                    ALL,                       WRITE_PLANES) \
   OUTPUT(linear, LINEAR, 1, !ANTIALIAS_LINEAR)                                                                 \
   OUTPUT(display, DISPLAY, 1, !WRITE_PLANES)                                                                   \

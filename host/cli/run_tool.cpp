@@ -36,6 +36,8 @@ int runTool(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
     return 0;
+  } catch (const CLI::RuntimeError& error) {
+    return app.exit(error);  // a command's own code
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;  // not CLI11's own numbers: 1 is an error, whatever its kind
   } catch (const std::exception& error) {

@@ -51,7 +51,7 @@
         ("1", "reflectance", "0 .. 1", "counts as 0"))                                                                 \
   /* Tint of the glossy lobe. With one signal irradiance is (radiance - emission) / (albedo + gloss colour), with two
      (radiance - emission) / albedo and glossyRadiance / gloss colour; a factor that is not given is 1. With one
-     signal a gloss colour that exceeds 1 together with albedo is taken for one without Fresnel term: 0.04 of it. */   \
+     signal a gloss colour that exceeds 1 together with albedo is taken for one without Fresnel term: f0 of it. */     \
   IMAGE(glossColor, GLOSSCOLOR, 1, 4, VALUES, OPTIONAL,                                                                \
         ("gloss_color", "RGB", HALF, "gloss_color"),                                                                   \
         ("1", "reflectance", "0 .. 1", "counts as 0"))                                                                 \
@@ -60,10 +60,11 @@
   IMAGE(roughness, ROUGHNESS, 1, 1, VALUES, OPTIONAL,                                                                  \
         ("roughness", "Y", HALF, "roughness"),                                                                         \
         ("not looked at", "perceptual: alpha of GGX is its square", "0 .. 1", "counts as 1 or 0"))                     \
-  /* Fresnel reflectance at normal incidence. Read where light is divided by F_beta (setting `demodulate`). */         \
+  /* Fresnel reflectance at normal incidence. Read where light is divided by F_beta (setting `demodulate`), and where a
+     gloss colour lacks it; there it is 0.04 without the image. */                                                     \
   IMAGE(f0, F0, 1, 4, VALUES, OPTIONAL,                                                                                \
         ("f0", "RGB", HALF, "f0"),                                                                                     \
-        ("1", "reflectance at normal incidence", "0 .. 1", "counts as 0"))                                             \
+        ("1, of a gloss colour that lacks it 0.04", "reflectance at normal incidence", "0 .. 1", "counts as 0"))  \
   /* Emitted radiance and visible sky, added back unfiltered, no more of it than radiance has. */                      \
   IMAGE(emission, EMISSION, 1, 4, VALUES, OPTIONAL,                                                                    \
         ("emission", "RGB", HALF, "emission"),                                                                         \

@@ -12,7 +12,7 @@
 #include "common/planes.h"
 
 // Reflectance of dielectrics at normal incidence (index of refraction 1.5), and by how much albedo and gloss colour
-// together must exceed 1 for gloss colour to be taken for one without it; in between by degrees.
+// together must exceed 1 for gloss colour to be taken for one without Fresnel term; in between by degrees.
 #define QUELL_DIELECTRIC_REFLECTANCE 0.04f
 #define QUELL_SURE_EXCESS 0.1f
 
@@ -90,14 +90,25 @@ QUELL_INLINE float3L includedEmission(float3L emission, float3L radiance) {
 #endif
 }
 
+#if QUELL_SIGNALS == 1 && ALBEDO_FORMAT && GLOSSCOLOR_FORMAT && !DEMODULATED
+// Reflectance at normal incidence where F0_DIMS_GLOSS says that it counts; without the image that of dielectrics.
+QUELL_INLINE float3L loadF0(FrameImages images, int x, int y, int lanes) {
+#if F0_FORMAT && DEMODULATE == QUELL_DEMODULATE_ALBEDO
+  return clamp3(cleanFactor3(LOAD_IMAGE(f0, F0, x, y, lanes)), 0.0f, 1.0f);
+#else
+  return splat3(QUELL_DIELECTRIC_REFLECTANCE);
+#endif
+}
+
 // Gloss colour as a reflectance. No surface reflects more than all light: where albedo and gloss colour say so, the latter
-// lacks the Fresnel term (Blender before 4.0 has 1 for plastics), and a dielectric reflects that little of it.
-QUELL_INLINE float3L plausibleGloss(float3L albedo, float3L gloss) {
+// lacks the Fresnel term (Blender before 4.0 has 1 for plastics, and so has quell render), and that much of it counts.
+QUELL_INLINE float3L plausibleGloss(float3L albedo, float3L gloss, float3L f0) {
   const float3L over = add3(subtract3(albedo, splat3(1.0f)), gloss);  // so that little is lost to rounding
   const floatL excess = maxLanes(maxLanes(over.x, over.y), over.z);
   const floatL share = clampLanes(excess * (1.0f / QUELL_SURE_EXCESS), 0.0f, 1.0f);
-  return scale3(gloss, 1.0f - (1.0f - QUELL_DIELECTRIC_REFLECTANCE) * share);
+  return subtract3(gloss, scale3(multiply3(gloss, subtract3(splat3(1.0f), f0)), share));
 }
+#endif
 
 // `fBeta` counts where the configuration divides by it.
 QUELL_INLINE Material loadMaterial(FrameImages images, float3L fBeta, int x, int y, int lanes) {
@@ -143,7 +154,7 @@ QUELL_INLINE Material loadMaterial(FrameImages images, float3L fBeta, int x, int
   const float3L color = add3(albedo, glossColor);
   material.signals[0] = makeSignal(radiance, included, emissionFinite, color, divide3(dimmed, color));
 #else
-  const float3L color = add3(albedo, plausibleGloss(albedo, gloss));
+  const float3L color = add3(albedo, plausibleGloss(albedo, gloss, loadF0(images, x, y, lanes)));
   material.signals[0] = makeSignal(radiance, included, emissionFinite, color, one);
 #endif
 #elif GLOSSCOLOR_FORMAT

@@ -48,6 +48,8 @@
 
 #endif
 
+#include "common/demodulate_modes.h"
+
 // Groups of ports that several stages have.
 
 // Light and what it is divided by.
@@ -57,6 +59,11 @@
   IMAGE(emission, EMISSION, share, ALWAYS)             \
   IMAGE(albedo, ALBEDO, share, ALWAYS)                 \
   IMAGE(glossColor, GLOSSCOLOR, share, ALWAYS)
+
+// Whether a gloss colour may lack the Fresnel term, and F0 says what it lacks; see common/material.h.
+#define F0_DIMS_GLOSS                                                                            \
+  (QUELL_SIGNALS == 1 && !DEMODULATED && DEMODULATE == QUELL_DEMODULATE_ALBEDO && HAS(albedo) && \
+   HAS(glossColor))
 
 // Which work-items show a surface, for a stage that leaves out the others; see common/surfaces.h.
 #define SURFACES_PORT(PORT) PORT(surfaces, READ, UCHAR, RECORDS(surfaceItems), ALL, SKIP)

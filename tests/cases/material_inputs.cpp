@@ -41,7 +41,7 @@ void setMaterialViews(StageSetup& setup, const MaterialVariant& variant, const I
   if (variant.glossColor) frame.glossColor = view;
   frame.demodulated = variant.demodulated;
   setup.settings.set("demodulate", variant.fBeta ? "fbeta" : variant.divide ? "albedo" : "none");
-  if (variant.fBeta) frame.f0 = view;
+  if (variant.fBeta || variant.f0) frame.f0 = view;
 }
 
 MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigned seed) {
@@ -51,7 +51,7 @@ MaterialImages randomMaterial(const MaterialVariant& variant, Size size, unsigne
   if (variant.albedo) images.albedo = randomFactor(size, seed + 2, 1.0);
   if (variant.glossColor) images.glossColor = randomFactor(size, seed + 3, 0.3);
   if (variant.twoSignals) images.glossyRadiance = randomImage(size, 3, seed + 4, 0.0, kBrightest);
-  if (variant.fBeta) images.f0 = randomImage(size, 3, seed + 5, -0.1, 1.1);
+  if (variant.fBeta || variant.f0) images.f0 = randomImage(size, 3, seed + 5, -0.1, 1.1);
   images.demodulated = variant.demodulated;
   images.divide = variant.divide;
   return images;

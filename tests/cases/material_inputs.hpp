@@ -15,8 +15,10 @@ struct MaterialVariant {
   bool twoSignals = false;
   bool divide = true;  ///< false: the setting demodulate is none
   bool fBeta = false;  ///< the setting demodulate is fbeta, and there is F0; needs roughness
+  bool f0 = false;     ///< there is F0 without fBeta
 };
 constexpr MaterialVariant kFullMaterial{true, true, true, false};
+constexpr MaterialVariant kMaterialWithF0{true, true, true, false, false, true, false, true};
 constexpr MaterialVariant kPlainMaterial{false, false, false, false};
 constexpr MaterialVariant kDemodulatedMaterial{true, true, false, true};
 constexpr MaterialVariant kTwoSignals{true, true, true, false, true};

@@ -20,10 +20,16 @@ Vector3d cleanFactor(const Vector3d& factor) {
       [](double f) { return std::isfinite(f) && f > 0.0 ? std::min<double>(f, QUELL_MAX_RADIANCE) : 0.0; });
 }
 
-// What there is of a gloss colour that exceeds 1 together with albedo.
-double shareOfGloss(const Vector3d& albedo, const Vector3d& gloss) {
+// What there is of a gloss colour that exceeds 1 together with albedo: F0 of it.
+Vector3d shareOfGloss(const Vector3d& albedo, const Vector3d& gloss, const Vector3d& f0) {
   const double excess = (albedo + gloss).maxCoeff() - 1.0;
-  return 1.0 - (1.0 - kDielectricReflectance) * std::clamp(excess / kSureExcess, 0.0, 1.0);
+  return Vector3d::Ones() - std::clamp(excess / kSureExcess, 0.0, 1.0) * (Vector3d::Ones() - f0);
+}
+
+// F0 where it is not in F_beta.
+Vector3d f0At(const MaterialImages& images, int x, int y) {
+  if (images.f0.empty() || images.fBeta.count > 0) return Vector3d::Constant(kDielectricReflectance);
+  return cleanFactor(rgbAt(images.f0, x, y)).cwiseMin(1.0);
 }
 
 // What tints this signal; 1 where the image is absent.
@@ -40,7 +46,8 @@ Vector3d colorAt(const MaterialImages& images, int x, int y, int signal) {
   for (int c = 0; c < images.fBeta.count; ++c) fBeta[c] = images.fBeta.at(c, x, y);
   add(images.albedo, 0, Vector3d::Ones());
   if (!apart && !images.demodulated && !images.albedo.empty() && !images.glossColor.empty())
-    fBeta *= shareOfGloss(color, cleanFactor(rgbAt(images.glossColor, x, y)).cwiseProduct(fBeta));
+    fBeta = fBeta.cwiseProduct(shareOfGloss(
+        color, cleanFactor(rgbAt(images.glossColor, x, y)).cwiseProduct(fBeta), f0At(images, x, y)));
   add(images.glossColor, 1, fBeta);
   return any ? color : Vector3d::Ones();
 }

@@ -52,7 +52,7 @@ struct Divided {
 TEST_CASE("demodulate agrees with its oracle") { checkSizes(maker(kEverything)); }
 
 TEST_CASE("demodulate agrees with its oracle whichever images there are") {
-  checkVariants({maker({kPlainMaterial, true}), maker({kUndividedMaterial}),
+  checkVariants({maker({kPlainMaterial, true}), maker({kUndividedMaterial}), maker({kMaterialWithF0}),
                  maker({kTwoDemodulatedSignals, true, true})});
 }
 

@@ -72,6 +72,7 @@ TEST_CASE("remodulate agrees with its oracle whichever images there are") {
                                       {false, true, false, false},
                                       {false, false, true, false},
                                       kUndividedMaterial,
+                                      kMaterialWithF0,
                                       kTwoDemodulatedSignals,
                                       {false, false, false, false, true}};
   std::vector<CaseMaker> makers;
