@@ -178,9 +178,9 @@ QUELL_INLINE floatL clampToMean(floatL v, floatL lowA, floatL lowB, floatL highA
 __kernel void temporal_antialiasing(STAGE_ARGUMENTS(TEMPORAL_ANTIALIASING)
                                         TemporalAntialiasingParams params) {
   BEGIN_PIXELS(params.planes);
-  if (params.antialiasBackground == 0)
-    LEAVE_OUT_FAR_BACKGROUND  // the stage background has done it
-        const float3L newest = loadLanes3(beforeAntialiasing, index, stride);
+  // The stage background has done it.
+  if (SKIP && params.antialiasBackground == 0 && isFarBackground(surfaces, planes, x, y)) return;
+  const float3L newest = loadLanes3(beforeAntialiasing, index, stride);
   const float3L centre = toYCoCg(newest);
   const int atBorder = x == 0 || y == 0 || x + QUELL_LANES >= planes.width || y == planes.height - 1;
   Neighbourhood around;

@@ -4,7 +4,8 @@
 // frame found nothing but background in them. What it writes there is the least that others look at: weight, history
 // length, view depth; with motion vectors normals; where background is antialiased where it was. Everything else keeps
 // finite values of earlier frames, which count for nothing. A stage that leaves out background has the port `surfaces`
-// (SURFACES_PORT) and begins with LEAVE_OUT_BACKGROUND or LEAVE_OUT_FAR_BACKGROUND; what background has to hold for it nevertheless is said there.
+// (SURFACES_PORT) and begins with LEAVE_OUT_BACKGROUND, or asks isFarBackground(); what background has to hold for it
+// nevertheless is said there.
 #ifndef QUELL_COMMON_SURFACES_H
 #define QUELL_COMMON_SURFACES_H
 
@@ -24,10 +25,6 @@ QUELL_INLINE int surfaceIndex(PlaneParams planes, int x, int y) {
     return;                                           \
   }
 #define NOTHING_ELSE
-
-// The same but for background next to surfaces.
-#define LEAVE_OUT_FAR_BACKGROUND \
-  if (SKIP && isBackground(surfaces, planes, x, y) && !isNearSurface(surfaces, planes, x, y)) return;
 
 // A statement for LEAVE_OUT_BACKGROUND: background next to surfaces, which their 3x3 neighbourhoods reach, is 0 in the
 // planes `name`.
@@ -58,6 +55,11 @@ QUELL_INLINE int isNearSurface(__global const uchar* surfaces, PlaneParams plane
     }
   }
   return found;
+}
+
+// Whether a work-item is left out by a stage that works on background next to surfaces as well.
+QUELL_INLINE int isFarBackground(__global const uchar* surfaces, PlaneParams planes, int x, int y) {
+  return isBackground(surfaces, planes, x, y) && !isNearSurface(surfaces, planes, x, y);
 }
 
 // Whether a work-item with a surface is among the pixels from (left, top) to (right, bottom), both included, as far as
