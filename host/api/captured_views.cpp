@@ -1,7 +1,6 @@
 #include "host/api/captured_views.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "host/core/fnv1a.hpp"
 #include "host/core/named_views.hpp"
@@ -44,13 +43,6 @@ void extend(CapturedMemory& memory, const ByteRange& range) {
 }  // namespace
 
 bool isOutput(const CapturedView& view) { return view.name.rfind(kOutputPrefix, 0) == 0; }
-
-ByteRange rangeOf(const ImageView& view, Size size) {
-  const std::ptrdiff_t pitch = view.rowPitch(size.width);
-  const std::size_t below =
-      static_cast<std::size_t>(size.height - 1) * static_cast<std::size_t>(std::abs(pitch));
-  return {view.offsetBytes - (pitch < 0 ? below : 0), below + view.rowBytes(size.width)};
-}
 
 ByteRange rangeOf(const CapturedView& view, const CapturedFrame& captured) {
   const CapturedMemory& memory = captured.memories[static_cast<std::size_t>(view.memory)];

@@ -4,6 +4,7 @@
 #include <CL/cl.h>
 
 #include "host/api/captured_frame.hpp"
+#include "host/core/byte_range.hpp"
 
 namespace quell {
 
@@ -16,11 +17,6 @@ std::vector<cl_mem> captureViews(const Frame& frame, const Output& output, Captu
 bool readsFrom(const CapturedFrame& captured, int memory);
 
 /// Bytes of its memory object that a view covers; all of an image object.
-struct ByteRange {
-  std::size_t begin = 0;
-  std::size_t size = 0;
-};
-ByteRange rangeOf(const ImageView& view, Size size);
 ByteRange rangeOf(const CapturedView& view, const CapturedFrame& captured);
 
 /// FNV-1a of the pixels, row by row from the top, without gaps; `bytes` are those of the range.

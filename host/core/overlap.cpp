@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "host/core/byte_range.hpp"
 #include "host/core/named_views.hpp"
 
 namespace quell {
@@ -40,14 +41,13 @@ Region regionOf(const ImageView& view, Size size) {
   }
   region.whole = view.isImageObject();
   if (region.whole) return region;
-  const std::ptrdiff_t pitch = view.rowPitch(size.width);
-  region.pitch = static_cast<std::size_t>(std::abs(pitch));
+  region.pitch = static_cast<std::size_t>(std::abs(view.rowPitch(size.width)));
   region.rowBytes = view.rowBytes(size.width);
   region.stride = view.pixelStride();
   region.pixelBytes = view.componentBytes() * static_cast<std::size_t>(view.channels);
-  const std::size_t below = static_cast<std::size_t>(size.height - 1) * region.pitch;
-  region.begin = offset + view.offsetBytes - (pitch < 0 ? below : 0);
-  region.end = region.begin + below + region.rowBytes;
+  const ByteRange range = rangeOf(view, size);
+  region.begin = offset + range.begin;
+  region.end = region.begin + range.size;
   return region;
 }
 

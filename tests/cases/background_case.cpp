@@ -1,8 +1,7 @@
 #include "tests/cases/background_case.hpp"
 
-#include <algorithm>
-
 #include "tests/cases/material_inputs.hpp"
+#include "tests/cases/surface_items.hpp"
 #include "tests/oracle/display_encoding_oracle.hpp"
 #include "tests/support/random_images.hpp"
 
@@ -33,28 +32,14 @@ BackgroundCase::BackgroundCase(const CaseOptions& options)
     : StageCase("background", makeBackgroundSetup(options)),
       inputs(randomInputs(options.size, options.seed)),
       m_layout(options.layout),
-      m_lanes(m_harness.configuration().device.lanes),
-      m_columns((options.size.width + m_lanes - 1) / m_lanes) {
-  surfaces = Planes({m_columns, options.size.height}, 1);
+      m_lanes(m_harness.configuration().device.lanes) {
+  surfaces = Planes({(options.size.width + m_lanes - 1) / m_lanes, options.size.height}, 1);
   Random random(options.seed + 1);
   for (float& surface : surfaces.values) surface = random.uniform() < kShareOfSurfaces ? 1.0f : 0.0f;
   surfaces.values.front() = 0.0f;  // an image of one pixel has something to show
 }
 
-bool BackgroundCase::hasSurface(int column, int row) const {
-  return column >= 0 && row >= 0 && column < m_columns && row < size().height &&
-         surfaces.at(0, column, row) != 0.0f;
-}
-
-bool BackgroundCase::isBackground(int x, int y) const { return !hasSurface(x / m_lanes, y); }
-
-bool BackgroundCase::isSeenByAntialiasing(int x, int y) const {
-  const int first = x / m_lanes * m_lanes;
-  for (int row = y - 2; row <= y + 2; ++row)
-    for (int column = std::max(first - 2, 0); column <= first + m_lanes + 1; ++column)
-      if (hasSurface(column / m_lanes, row)) return true;
-  return false;
-}
+bool BackgroundCase::isBackground(int x, int y) const { return !hasSurface(surfaces, x / m_lanes, y); }
 
 void BackgroundCase::upload() {
   uploadImage(m_harness, &Frame::radiance, inputs.radiance);
@@ -78,7 +63,7 @@ Comparison BackgroundCase::compare() {
                 nullptr, displayUnit(kBackgroundTolerance));
   comparePixels(comparison, "antialiased", antialiased(), exact.linear, &surface, nullptr, lightUnit());
   forEachPixel(size(), [&](int x, int y) {
-    surface.at(0, x, y) = char(!isBackground(x, y) || !isSeenByAntialiasing(x, y));
+    surface.at(0, x, y) = char(!isBackground(x, y) || !isSeenByAntialiasing(surfaces, m_lanes, x, y));
   });
   comparePixels(comparison, "beforeAntialiasing", denoised(), exact.linear, &surface, nullptr, lightUnit());
   return comparison;

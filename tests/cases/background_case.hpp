@@ -18,8 +18,6 @@ class BackgroundCase : public StageCase {
   Planes surfaces;  ///< one value a work-item, not 0 where it has a surface
 
   bool isBackground(int x, int y) const;
-  /// Whether a work-item with a surface is next to this pixel's.
-  bool isSeenByAntialiasing(int x, int y) const;
 
   void upload() override;
   Comparison compare() override;
@@ -31,11 +29,8 @@ class BackgroundCase : public StageCase {
   std::vector<LightInput> light() override { return {lightOf(inputs.radiance), lightOf(inputs.emission)}; }
 
  private:
-  bool hasSurface(int column, int row) const;
-
   ImageLayout m_layout;
   int m_lanes = 1;
-  int m_columns = 1;
 };
 
 }  // namespace quell::tests

@@ -5,6 +5,7 @@
 
 #include "host/core/frame_images.hpp"
 #include "kernels/common/guides.h"
+#include "tests/cases/surface_items.hpp"
 #include "tests/support/test_scene.hpp"
 
 namespace quell::tests {
@@ -54,29 +55,15 @@ Holes::Holes(const StageHarness& harness)
     if (guides.at(QUELL_GUIDE_WEIGHT, x, y) > 0.0f) m_surfaces.at(0, x / m_lanes, y) = 1.0f;
   });
   forEachPixel(m_size, [&](int x, int y) {
-    m_background.at(0, x, y) = char(!hasSurface(x / m_lanes, y));
+    m_background.at(0, x, y) = char(!hasSurface(m_surfaces, x / m_lanes, y));
     m_leftOut.at(0, x, y) = char(m_background.at(0, x, y) && !(alsoAround && isNearSurface(x, y)));
   });
-}
-
-bool Holes::hasSurface(int column, int row) const {
-  return column >= 0 && row >= 0 && column < m_surfaces.width && row < m_surfaces.height &&
-         m_surfaces.at(0, column, row) != 0.0f;
 }
 
 bool Holes::isNearSurface(int x, int y) const {
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx)
-      if (hasSurface(x / m_lanes + dx, y + dy)) return true;
-  return false;
-}
-
-// Of a work-item within the reach of 3x3 pixels around background that is next to a surface.
-bool Holes::isSeenByAntialiasing(int x, int y) const {
-  const int first = x / m_lanes * m_lanes;
-  for (int row = y - 2; row <= y + 2; ++row)
-    for (int column = std::max(first - 2, 0); column <= first + m_lanes + 1; ++column)
-      if (hasSurface(column / m_lanes, row)) return true;
+      if (hasSurface(m_surfaces, x / m_lanes + dx, y + dy)) return true;
   return false;
 }
 
@@ -105,7 +92,7 @@ bool Holes::isKept(const std::string& port, int plane, int x, int y) const {
     return plane >= QUELL_GUIDE_WEIGHT ||
            (m_motion && plane >= QUELL_GUIDE_NORMAL && plane < QUELL_GUIDE_NORMAL + 3);
   if (port == "variance") return isNearSurface(x, y);
-  if (port == "beforeAntialiasing") return isSeenByAntialiasing(x, y);
+  if (port == "beforeAntialiasing") return isSeenByAntialiasing(m_surfaces, m_lanes, x, y);
   return port == "tapWeights" || port == "viewDepth" || port == "reprojectionMask" ||
          port == "historyLength" || port == "historyLengthPrev";
 }

@@ -30,9 +30,7 @@ class Holes {
   bool zeroesVariance = true;
 
  private:
-  bool hasSurface(int column, int row) const;
   bool isNearSurface(int x, int y) const;
-  bool isSeenByAntialiasing(int x, int y) const;
   /// Where the frame before left out background, for a stage that finds it.
   BasicPlanes<char> leftOutBefore(const StageHarness& harness) const;
   bool isKept(const std::string& port, int plane, int x, int y) const;
