@@ -25,11 +25,20 @@ typedef struct ChangeParams {
 QUELL_NAMESPACE_END
 
 // A tile's record, per signal: pixels that could be compared; for luminance and for chrominance the sum of their
-// differences and of the squares of these; and what fills up a vector.
+// differences and of the squares of these; the odds that neighbours agree; and what fills up a vector.
 #define QUELL_CHANGE_COUNT 0
 #define QUELL_CHANGE_SUM(plane) (1 + 2 * (plane))
 #define QUELL_CHANGE_SQUARES(plane) (2 + 2 * (plane))
+#define QUELL_CHANGE_AGREEMENT 5
 #define QUELL_CHANGE_RECORD 8
+
+// Neighbours whose differences from their histories differ by this share of themselves agree by half: noise is 1/10 as
+// steady in less than a fifth of all pairs (odds below 1/4), screens and hard shadows in nearly all.
+#define QUELL_CHANGE_AGREED_SHARE 0.1f
+// Least share of a tile's pixels that must have been compared, and the least chance left that they do not agree: what floats
+// can tell.
+#define QUELL_CHANGE_AGREED_PIXELS 0.5f
+#define QUELL_CHANGE_LEAST_DOUBT 1e-3f
 
 // Windows are tents over 3x3 and 5x5 tiles: the small one sees where the light changed, the large one how faintly.
 #define QUELL_CHANGE_SMALL_WINDOW 1

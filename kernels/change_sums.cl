@@ -5,7 +5,9 @@
 //          history), sums of the frame before.
 // Out:     per signal and tile: pixels with a history (a missing sample counts with a difference of 0), sum and sum of
 //          squares of their differences, plus the share sumsKept of the sums of the frame before. Tiles do not move
-//          with the camera: a tile is wide against one frame's motion, and what is kept fades.
+//          with the camera: a tile is wide against one frame's motion, and what is kept fades. And, of this frame alone,
+//          the odds that the luminance of neighbours differs alike: noise differs from pixel to pixel, in the sample as in
+//          the history; screens, hard shadows and glints that change do not.
 // Border:  pixels outside the image are left out.
 // Grid:    one work-item a tile.
 #include "change_sums_ports.h"
@@ -17,6 +19,18 @@ typedef struct TileSums {
   float8 squares[QUELL_INNOVATION_PLANES];
 } TileSums;
 
+// Of pairs of neighbours: the squares of their differences from history, and the part of them that agrees.
+typedef struct PairSums {
+  float8 squares;
+  float8 agreed;
+} PairSums;
+
+// A row's differences of luminance and which of its pixels were compared.
+typedef struct TileRow {
+  float8 luminance;
+  int8 compared;
+} TileRow;
+
 QUELL_INLINE TileSums emptySums(void) {
   TileSums sums;
   sums.count = (float8)(0.0f);
@@ -27,9 +41,7 @@ QUELL_INLINE TileSums emptySums(void) {
   return sums;
 }
 
-QUELL_INLINE TileSums addRow(TileSums sums, __global const float* innovation,
-                             __global const uchar* historyLength, int stride, int8 inside) {
-  const int8 compared = inside && convert_int8(vload8(0, historyLength)) > 1;
+QUELL_INLINE TileSums addRow(TileSums sums, __global const float* innovation, int stride, int8 compared) {
   sums.count += compared ? (float8)(1.0f) : (float8)(0.0f);
   for (int i = 0; i < QUELL_INNOVATION_PLANES; ++i) {
     const float8 difference = compared ? vload8(0, innovation + i * stride) : (float8)(0.0f);
@@ -39,9 +51,38 @@ QUELL_INLINE TileSums addRow(TileSums sums, __global const float* innovation,
   return sums;
 }
 
+QUELL_INLINE PairSums addPairs(PairSums sums, TileRow a, TileRow b) {
+  const float8 squares = a.luminance * a.luminance + b.luminance * b.luminance;
+  const float8 apart = (a.luminance - b.luminance) * (1.0f / QUELL_CHANGE_AGREED_SHARE);
+  const float8 agreed = squares * (squares / (squares + apart * apart + QUELL_CHANGE_LEAST_SPREAD));
+  const int8 both = a.compared && b.compared;
+  sums.squares += both ? squares : (float8)(0.0f);
+  sums.agreed += both ? agreed : (float8)(0.0f);
+  return sums;
+}
+
+// The row moved by one pixel, for its pairs of neighbours.
+QUELL_INLINE TileRow nextPixels(TileRow row) {
+  TileRow next;
+  next.luminance = row.luminance.s12345677;
+  next.compared = row.compared.s12345677 && (int8)(-1, -1, -1, -1, -1, -1, -1, 0);
+  return next;
+}
+
 QUELL_INLINE float total(float8 v) {
   const float4 pairs = v.lo + v.hi;
   return (pairs.x + pairs.y) + (pairs.z + pairs.w);
+}
+
+QUELL_INLINE float oddsOf(PairSums pairs) {
+  const float chance = total(pairs.agreed) / max(total(pairs.squares), QUELL_CHANGE_LEAST_SPREAD);
+  return chance / max(1.0f - chance, QUELL_CHANGE_LEAST_DOUBT);
+}
+
+// In the direction in which more pairs agree: along an edge, not across.
+QUELL_INLINE float agreementOf(TileSums tile, PairSums beside, PairSums below) {
+  const float least = QUELL_CHANGE_AGREED_PIXELS * (float)(QUELL_TILE * QUELL_TILE);
+  return total(tile.count) < least ? 0.0f : max(oddsOf(beside), oddsOf(below));
 }
 
 __kernel void change_sums(STAGE_ARGUMENTS(CHANGE_SUMS) ChangeParams params) {
@@ -55,17 +96,28 @@ __kernel void change_sums(STAGE_ARGUMENTS(CHANGE_SUMS) ChangeParams params) {
   const int tiles = params.tilesX * params.tilesY;
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     TileSums tile = emptySums();
+    PairSums beside = {(float8)(0.0f), (float8)(0.0f)};
+    PairSums below = beside;
+    TileRow above = {(float8)(0.0f), (int8)(0)};
     for (int row = 0; row < QUELL_TILE; ++row) {
       if (y + row >= planes.height) break;
       const int index = planeIndex(planes, x, y + row);
-      tile = addRow(tile, innovation + QUELL_INNOVATION_PLANES * s * planes.stride + index,
-                    historyLength + s * planes.stride + index, planes.stride, inside);
+      __global const float* rowInnovation = innovation + QUELL_INNOVATION_PLANES * s * planes.stride + index;
+      TileRow here;
+      here.compared = inside && convert_int8(vload8(0, historyLength + s * planes.stride + index)) > 1;
+      here.luminance = vload8(0, rowInnovation + QUELL_INNOVATION_LUMINANCE * planes.stride);
+      tile = addRow(tile, rowInnovation, planes.stride, here.compared);
+      beside = addPairs(beside, here, nextPixels(here));
+      below = addPairs(below, above, here);
+      above = here;
     }
     const int record = s * tiles + tileY * params.tilesX + tileX;
     const float8 newest = (float8)(total(tile.count), total(tile.sum[QUELL_INNOVATION_LUMINANCE]),
                                    total(tile.squares[QUELL_INNOVATION_LUMINANCE]),
                                    total(tile.sum[QUELL_INNOVATION_CHROMINANCE]),
                                    total(tile.squares[QUELL_INNOVATION_CHROMINANCE]), 0.0f, 0.0f, 0.0f);
-    vstore8(newest + params.sumsKept * vload8(record, changeSumsPrev), record, changeSums);
+    float8 sums = newest + params.sumsKept * vload8(record, changeSumsPrev);
+    sums.s5 = agreementOf(tile, beside, below);  // QUELL_CHANGE_AGREEMENT
+    vstore8(sums, record, changeSums);
   }
 }

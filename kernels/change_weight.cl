@@ -10,9 +10,11 @@
 //          Light that changes goes on changing, and not in one tile alone: the mean significance around a tile over the
 //          last frames, its recent change, tells how likely change is there. Where light has been still it takes much to
 //          believe in change, so noise shortens few histories; where it has not, little.
+//          What is smaller than a window, or goes up and down within one, cancels out in its mean. It shows in a tile whose
+//          differences agree from pixel to pixel (change_sums): the odds of that count as a significance.
 // In:      sums of change_sums, recent change of the frame before (1 float per tile and signal).
-// Out:     recent change; weight (1 float per tile and signal), [0, mostWeight]. The more significant of two windows
-//          counts.
+// Out:     recent change; weight (1 float per tile and signal), [0, mostWeight]. The largest of the significances of two
+//          windows and of the tile counts.
 // Border:  tiles outside the image are left out; for recent change they count as the nearest tile.
 // Grid:    one work-item a tile.
 // Scale:   differences of any brightness give the same weight.
@@ -93,9 +95,11 @@ __kernel void change_weight(STAGE_ARGUMENTS(CHANGE_WEIGHT) ChangeParams params) 
   const int tiles = params.tilesX * params.tilesY;
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     __global const float* signalSums = changeSums + s * tiles * QUELL_CHANGE_RECORD;
-    const float significance =
+    const float overWindows =
         max(significanceOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_SMALL_WINDOW)),
             significanceOf(sumWindow(signalSums, params, tileX, tileY, QUELL_CHANGE_LARGE_WINDOW)));
+    const int record = (tileY * params.tilesX + tileX) * QUELL_CHANGE_RECORD;
+    const float significance = max(overWindows, signalSums[record + QUELL_CHANGE_AGREEMENT]);
     const float newest = min(significance, QUELL_RECENT_CHANGE_MOST);
     const float before =
         params.restarted ? newest : recentChangeAround(recentChangePrev + s * tiles, params, tileX, tileY);

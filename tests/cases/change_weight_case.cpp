@@ -38,6 +38,9 @@ ChangeWeightCase::ChangeWeightCase(const CaseOptions& options, int signals, Chan
     const Differences luminance = differences(1.0);
     // From the chrominance of grey light to colours.
     setTile(tile, randomCount(random), luminance, differences(std::pow(10.0, random.uniform(-4.0, 0.5))));
+    if (random.uniform() < 0.1)
+      inputs.sums.values[std::size_t(tile) * QUELL_CHANGE_RECORD + QUELL_CHANGE_AGREEMENT] =
+          float(random.uniform(0.0, 30.0));
   }
   useFrame(1);
 }
@@ -56,6 +59,7 @@ void ChangeWeightCase::setTile(int tile, double count, Differences luminance, Di
   };
   set(QUELL_INNOVATION_LUMINANCE, luminance);
   set(QUELL_INNOVATION_CHROMINANCE, chrominance);
+  record[QUELL_CHANGE_AGREEMENT] = 0.0f;
 }
 
 void ChangeWeightCase::upload() {

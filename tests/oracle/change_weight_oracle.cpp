@@ -35,6 +35,11 @@ class WindowOracle {
            shareSquares;
   }
 
+  double agreement() const {
+    const int tile = m_signal * m_grid.count() + m_row * m_grid.columns + m_column;
+    return m_inputs.sums.values[std::size_t(tile) * QUELL_CHANGE_RECORD + QUELL_CHANGE_AGREEMENT];
+  }
+
   double recentChangeBefore() const {
     double sum = 0.0;
     for (const int dy : {-1, 0, 0, 1}) {  // the tent's weights, counted
@@ -100,8 +105,9 @@ ChangeWeightExact changeWeightOracle(const ChangeWeightInputs& inputs) {
   for (int signal = 0; signal < inputs.signals; ++signal) {
     forEachPixel({grid.columns, grid.rows}, [&](int column, int row) {
       const WindowOracle window(inputs, signal, column, row);
-      const double significance = std::max(window.significance(QUELL_CHANGE_SMALL_WINDOW),
-                                           window.significance(QUELL_CHANGE_LARGE_WINDOW));
+      const double significance =
+          std::max({window.significance(QUELL_CHANGE_SMALL_WINDOW),
+                    window.significance(QUELL_CHANGE_LARGE_WINDOW), window.agreement()});
       const double newest = std::min(significance, double(QUELL_RECENT_CHANGE_MOST));
       const double kept = inputs.restarted ? 0.0 : double(QUELL_RECENT_CHANGE_KEPT);
       const double recentChange = kept * window.recentChangeBefore() + (1.0 - kept) * newest;

@@ -73,10 +73,41 @@ TEST_CASE("change_sums keep a share of the frame before, and nothing after a res
   ChangeSumsCase sums(options);
   fill(sums.inputs.historyLength, 0.0f);
   const Planes kept = runSums(sums);
-  for (std::size_t i = 0; i < kept.values.size(); ++i)
-    CHECK(kept.values[i] == Approx(kChangeMemory * sums.inputs.sumsPrev.values[i]).epsilon(1e-6));
+  for (std::size_t i = 0; i < kept.values.size(); ++i) {
+    // Agreement is that of this frame alone, and no pixel was compared.
+    const double memory = i % QUELL_CHANGE_RECORD == QUELL_CHANGE_AGREEMENT ? 0.0 : kChangeMemory;
+    CHECK(kept.values[i] == Approx(memory * sums.inputs.sumsPrev.values[i]).epsilon(1e-6));
+  }
   sums.useFrame(0);
   for (const float value : runSums(sums).values) CHECK(value == 0.0f);
+}
+
+TEST_CASE("change_sums tell stripes that move from noise") {
+  CaseOptions options;
+  options.size = {48, 24};
+  ChangeSumsCase sums(options);
+  fill(sums.inputs.historyLength, 8.0f);
+  Random random(11);
+  const auto agreements = [&](const auto& differenceAt) {
+    forEachPixel(options.size, [&](int x, int y) {
+      sums.inputs.innovation.at(QUELL_INNOVATION_LUMINANCE, x, y) = float(differenceAt(x));
+    });
+    const Planes result = runSums(sums);
+    std::vector<float> found;
+    for (std::size_t i = 0; i < result.values.size(); i += QUELL_CHANGE_RECORD)
+      found.push_back(result.values[i + QUELL_CHANGE_AGREEMENT]);
+    return found;
+  };
+  // Their mean is 0: no window sees them.
+  for (const float odds : agreements([](int x) { return x / 4 % 2 ? 1.5 : -1.5; })) CHECK(odds > 100.0f);
+  // A fifth of what changes is noise.
+  for (const float odds :
+       agreements([&](int x) { return (x / 4 % 2 ? 1.5 : -1.5) + random.uniform(-0.15, 0.15); }))
+    CHECK(odds > 1.0f);
+  for (const float odds : agreements([&](int) { return random.uniform(-1.5, 1.5); })) CHECK(odds < 0.5f);
+  // All samples of a dim light missed it, and their histories hold from none to a few of its samples.
+  for (const float odds : agreements([&](int) { return -double(random.integer(0, 4)); })) CHECK(odds < 0.9f);
+  for (const float odds : agreements([](int) { return 0.0; })) CHECK(odds == 0.0f);
 }
 
 TEST_CASE("change_sums of the most extreme differences are finite") {

@@ -116,6 +116,18 @@ TEST_CASE("change_weight sees light that changes its colour alone, and no colour
   for (const float weight : runWeights(change).values) CHECK(weight == 0.0f);
 }
 
+TEST_CASE("change_weight believes in what neighbours agree on, though it cancels out") {
+  CaseOptions options;
+  options.size = {61, 40};
+  ChangeWeightCase change(options);
+  setTiles(change, kFullTile, 0.0, 2.0);
+  const int tile = 9;
+  change.inputs.sums.values[tile * QUELL_CHANGE_RECORD + QUELL_CHANGE_AGREEMENT] = 500.0f;
+  const Planes weights = runWeights(change);
+  for (int i = 0; i < change.tileCount(); ++i)
+    CHECK((weights.at(0, i, 0) > 0.9 * kChangeMostWeight) == (i == tile));
+}
+
 TEST_CASE("change_weight is the same for light of any brightness") {
   CaseOptions options;
   options.size = {121, 70};
