@@ -214,7 +214,7 @@ __kernel void atrous(STAGE_ARGUMENTS(ATROUS) AtrousParams params) {
 #endif
   }
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
-    const floatL inverse = sums[s].weight > 0.0f ? 1.0f / sums[s].weight : ZERO_LANES;
+    const floatL inverse = sums[s].weight > QUELL_LEAST_WEIGHT_SUM ? 1.0f / sums[s].weight : ZERO_LANES;
     storeLanes3(scale3(sums[s].irradiance, inverse), filteredIrradiance + 3 * s * stride, index, stride);
 #if FILTER_VARIANCE
     storeLanes(sums[s].variance * inverse * inverse, filteredVariance + s * stride + index);

@@ -23,20 +23,21 @@
 #include "common/surfaces.h"
 #include "temporal_antialiasing_ports.h"
 
-// RGB to YCoCg with gains of 4 left in; the inverse takes them out.
+// RGB to YCoCg with gains of 4, 2 and 4 left in; the inverse takes them out.
 QUELL_INLINE float3L toYCoCg(float3L rgb) {
   float3L v;
   v.x = rgb.x + 2.0f * rgb.y + rgb.z;
-  v.y = 2.0f * (rgb.x - rgb.z);
+  v.y = rgb.x - rgb.z;
   v.z = 2.0f * rgb.y - rgb.x - rgb.z;
   return v;
 }
 
 QUELL_INLINE float3L toRgb(float3L v) {
   float3L rgb;
-  rgb.x = 0.25f * (v.x + v.y - v.z);
+  const floatL redAndBlue = 0.25f * (v.x - v.z);
+  rgb.x = redAndBlue + 0.5f * v.y;
   rgb.y = 0.25f * (v.x + v.z);
-  rgb.z = 0.25f * (v.x - v.y - v.z);
+  rgb.z = redAndBlue - 0.5f * v.y;
   return rgb;
 }
 

@@ -59,17 +59,17 @@ QUELL_INLINE floatL momentsToVariance(floatL first, floatL second) {
 }
 
 #if STOP_LUMINANCE
-// Luminance over 3x3 pixels with the weights of a binomial, of what has a sample.
+// Luminance over 3x3 pixels with the weights of a binomial, of what has a sample. `atBorder` is constant, so that the
+// inside of the image pays nothing for it.
 QUELL_INLINE floatL prefilterLuminance(__global const float* irradiance, __global const float* weights,
-                                       PlaneParams planes, int x, int y) {
+                                       PlaneParams planes, int x, int y, int atBorder) {
   floatL sum = ZERO_LANES;
   floatL weightSum = ZERO_LANES;
   for (int dy = -1; dy <= 1; ++dy) {
-    if (y + dy < 0 || y + dy >= planes.height) continue;
+    if (atBorder && (y + dy < 0 || y + dy >= planes.height)) continue;
     for (int dx = -1; dx <= 1; ++dx) {
       const int index = planeIndex(planes, x + dx, y + dy);
-      const intL column = x + dx + LANE_INDEX;
-      const intL inside = insideColumns(planes, column);
+      const intL inside = atBorder ? insideColumns(planes, x + dx + LANE_INDEX) : TRUE_LANES;
       const float binomial = (float)((2 - abs(dx)) * (2 - abs(dy)));
       const floatL weight = inside ? binomial * loadLanes(weights + index) : ZERO_LANES;
       sum += weight * luminance(loadLanes3(irradiance, index, planes.stride));
@@ -107,12 +107,17 @@ QUELL_INLINE void storeBackground(VarianceParams params, int x, int y, __global 
 __kernel void variance(STAGE_ARGUMENTS(VARIANCE) VarianceParams params) {
   BEGIN_PIXELS(params.planes);
   LEAVE_OUT_BACKGROUND(storeBackground(params, x, y, variance, tapWeights, surfaces))
+#if STOP_LUMINANCE
+  const int atBorder = x == 0 || y == 0 || x + QUELL_LANES >= planes.width || y == planes.height - 1;
+#endif
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     __global const float* signalMoments = moments + QUELL_MOMENT_PLANES * s * stride;
     __global const float* weights = guides + (QUELL_GUIDE_WEIGHT + s) * stride;
 #if STOP_LUMINANCE
-    storeLanes(prefilterLuminance(irradiance + 3 * s * stride, weights, planes, x, y),
-               stopLuminance + s * stride + index);
+    const floatL prefiltered =
+        atBorder ? prefilterLuminance(irradiance + 3 * s * stride, weights, planes, x, y, 1)
+                 : prefilterLuminance(irradiance + 3 * s * stride, weights, planes, x, y, 0);
+    storeLanes(prefiltered, stopLuminance + s * stride + index);
 #endif
     const floatL first = loadLanes(signalMoments + QUELL_MOMENT_FIRST * stride + index);
     const floatL second = loadLanes(signalMoments + QUELL_MOMENT_SECOND * stride + index);

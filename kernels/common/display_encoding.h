@@ -29,6 +29,9 @@ QUELL_INLINE floatL log2Lanes(floatL v) {
   return TO_FLOAT(exponent) + f * series;
 }
 
+// Adding it to a float below 2^22 rounds that to a whole number, which then sits in the low bits (1.5 * 2^23).
+#define QUELL_ROUNDING_SHIFT 12582912.0f
+
 // 2^v for v in [-126, 126]: 2^f for f in [-0.5, 0.5] is the polynomial that agrees with it at five Chebyshev nodes.
 // Relative error below 4e-6.
 QUELL_INLINE floatL exp2Lanes(floatL v) {

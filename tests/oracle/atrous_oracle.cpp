@@ -11,10 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A tap at the largest penalty weighs e^-20 = 2e-9 or nothing; a smaller sum of weights than this notices.
+// A smaller sum of weights than this is nothing but taps near the largest penalty, of which float knows too little.
 constexpr double kLeastSum = 1e-5;
-// Error of a penalty near the largest one in float.
-constexpr double kPenaltyRounding = 1e-3;
 
 double splineWeight(int radius, int tap) {
   constexpr double kCubic[] = {3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0};
@@ -70,23 +68,13 @@ struct Filtered {
   Vector3d irradiance = Vector3d::Zero();
   double variance = 0.0;
   double weight = 0.0;
-  double weightError = 0.0;    // sum of what the taps' weights may be off by
-  double varianceError = 0.0;  // by which the sum of variances is off for that
-  double largest = 0.0;        // irradiance of the taps
-  bool nearLimit = false;      // a tap that float may count and double not, or the other way round
 };
 
-// `error`: of the weight, relative.
-void add(Filtered& sum, const AtrousInputs& inputs, int signal, int x, int y, double weight, double error) {
+void add(Filtered& sum, const AtrousInputs& inputs, int signal, int x, int y, double weight) {
   const Vector3d irradiance = irradianceAt(inputs, signal, x, y);
   sum.irradiance += weight * irradiance;
   sum.weight += weight;
-  sum.weightError += weight * error;
-  sum.largest = std::max(sum.largest, irradiance.maxCoeff());
-  if (inputs.variance.count == 0) return;
-  const double variance = weight * weight * inputs.variance.at(signal, x, y);
-  sum.variance += variance;
-  sum.varianceError += 2.0 * error * variance;
+  if (inputs.variance.count > 0) sum.variance += weight * weight * inputs.variance.at(signal, x, y);
 }
 
 Filtered filterPixel(const AtrousInputs& inputs, const EdgeStopsOracle& stops, int signal, int x, int y) {
@@ -108,24 +96,16 @@ Filtered filterPixel(const AtrousInputs& inputs, const EdgeStopsOracle& stops, i
       }
       const double spline = splineWeight(inputs.radius, tapX) * splineWeight(inputs.radius, tapY);
       const double weight = spline * weightOfPenalty(penalty) * sampleWeight(inputs, signal, column, row);
-      const double error = tapX != 0 || tapY != 0 ? stops.penaltyError(column, row) : 0.0;
-      sum.nearLimit = sum.nearLimit || std::abs(penalty - kLargestPenalty) < kPenaltyRounding + error;
-      if (weight > 0.0) add(sum, inputs, signal, column, row, weight, std::expm1(error));
+      if (weight > 0.0) add(sum, inputs, signal, column, row, weight);
     }
   }
   return sum;
 }
 
 void store(AtrousExact& exact, const Filtered& sum, bool guided, int signal, int x, int y) {
-  const double error = sum.weightError / sum.weight;
   for (int c = 0; c < 3; ++c) exact.irradiance.at(3 * signal + c, x, y) = sum.irradiance[c] / sum.weight;
-  double& irradianceError = exact.irradianceError.at(0, x, y);
-  irradianceError = std::max(irradianceError, error * sum.largest);
   if (!guided) return;
-  const double squared = sum.weight * sum.weight;
-  exact.variance.at(signal, x, y) = sum.variance / squared;
-  double& varianceError = exact.varianceError.at(0, x, y);
-  varianceError = std::max(varianceError, (sum.varianceError + 2.0 * error * sum.variance) / squared);
+  exact.variance.at(signal, x, y) = sum.variance / (sum.weight * sum.weight);
 }
 
 }  // namespace
@@ -133,12 +113,12 @@ void store(AtrousExact& exact, const Filtered& sum, bool guided, int signal, int
 AtrousExact atrousOracle(const AtrousInputs& inputs) {
   const Size size = inputs.irradiance.size();
   AtrousExact exact{ExactPlanes(size, inputs.irradiance.count), ExactPlanes(size, inputs.variance.count),
-                    ExactPlanes(size, 1), ExactPlanes(size, 1), BasicPlanes<char>(size, 1)};
+                    BasicPlanes<char>(size, 1)};
   forEachPixel(size, [&](int x, int y) {
     const EdgeStopsOracle stops(inputs.guides, inputs.stops, x, y);
     for (int signal = 0; signal < inputs.signals(); ++signal) {
       const Filtered sum = filterPixel(inputs, stops, signal, x, y);
-      exact.undecided.at(0, x, y) |= char(sum.nearLimit && sum.weight < kLeastSum);
+      exact.undecided.at(0, x, y) |= char(sum.weight > 0.0 && sum.weight < kLeastSum);
       if (sum.weight > 0.0) store(exact, sum, inputs.variance.count > 0, signal, x, y);
     }
   });

@@ -25,10 +25,7 @@ struct AtrousInputs {
 struct AtrousExact {
   ExactPlanes irradiance;
   ExactPlanes variance;
-  /// By how much the mean may differ because the kernel computes penalties by a series (1 plane each): next to nothing,
-  /// but where a pixel has only taps that hardly resemble it.
-  ExactPlanes irradianceError, varianceError;
-  BasicPlanes<char> undecided;  ///< nothing but taps at the largest penalty: float and double may disagree
+  BasicPlanes<char> undecided;  ///< nothing but taps near the largest penalty: float and double may disagree
 };
 
 AtrousExact atrousOracle(const AtrousInputs& inputs);

@@ -8,18 +8,6 @@
 namespace quell::tests {
 namespace {
 
-constexpr int kSeriesTerms = 4;  // of the logarithm, in common/edge_stops.h
-
-// What the kernel's series of -log(1 - t) lacks.
-double missingTerms(double t) {
-  double missing = -std::log1p(-t), power = 1.0;
-  for (int i = 1; i <= kSeriesTerms; ++i) {
-    power *= t;
-    missing -= power / i;
-  }
-  return missing;
-}
-
 // The smaller one-sided difference along an axis; 0 where the image is one pixel wide.
 double slopeAlong(const Planes& depth, int x, int y, int dx, int dy) {
   const auto has = [&](int column, int row) {
@@ -49,19 +37,15 @@ double EdgeStopsOracle::cosineTo(int x, int y) const {
   for (int axis = 0; axis < 3; ++axis)
     cosine += double(m_guides.guides.at(QUELL_GUIDE_NORMAL + axis, m_x, m_y)) *
               m_guides.guides.at(QUELL_GUIDE_NORMAL + axis, x, y);
-  return std::clamp(cosine, 0.0, 1.0);
+  return cosine;
 }
 
 double EdgeStopsOracle::surfacePenalty(int x, int y, double distance) const {
   const double depthStep =
       std::abs(double(m_guides.viewDepth.at(0, x, y)) - m_guides.viewDepth.at(0, m_x, m_y));
-  return -m_stops.normalPower * std::log(cosineTo(x, y)) +
+  const double fromOne = 1.0 - cosineTo(x, y);
+  return m_stops.normalPower * (fromOne + fromOne * fromOne / 2.0) +
          depthStep * m_stops.inverseDepth / (m_slope * distance);
-}
-
-double EdgeStopsOracle::penaltyError(int x, int y) const {
-  const double cosine = cosineTo(x, y);
-  return cosine > 0.0 ? m_stops.normalPower * missingTerms(1.0 - cosine) : 0.0;
 }
 
 double EdgeStopsOracle::roughnessPenalty(int x, int y) const {
@@ -71,7 +55,9 @@ double EdgeStopsOracle::roughnessPenalty(int x, int y) const {
   return std::abs(m_guides.roughness.at(0, x, y) - centre) * m_stops.inverseRoughness / unit;
 }
 
-double weightOfPenalty(double penalty) { return penalty < kLargestPenalty ? std::exp(-penalty) : 0.0; }
+double weightOfPenalty(double penalty) {
+  return penalty < kLargestPenalty ? std::pow(1.0 - penalty / kLargestPenalty, 8) : 0.0;
+}
 
 double luminanceOf(double red, double green, double blue) {
   return 0.2126 * red + 0.7152 * green + 0.0722 * blue;

@@ -18,10 +18,8 @@ class EdgeStopsOracle {
  public:
   EdgeStopsOracle(const FilterGuides& guides, const EdgeStopParams& stops, int x, int y);
 
-  /// Of depth and normal (Schied et al. 2017, eq. 3 and 4); `distance` in pixels. Infinite at 90 degrees and beyond.
+  /// Of depth and normal (Schied et al. 2017, eq. 3 and 4, with two terms of the logarithm); `distance` in pixels.
   double surfacePenalty(int x, int y, double distance) const;
-  /// By how much the kernel's series may have a smaller penalty: less than 4e-3 where the tap counts at all.
-  double penaltyError(int x, int y) const;
   double roughnessPenalty(int x, int y) const;
 
  private:
@@ -35,9 +33,9 @@ class EdgeStopsOracle {
 };
 
 /// From here on a tap counts as 0 (common/exponential.h).
-constexpr double kLargestPenalty = 20.0;
+constexpr double kLargestPenalty = 9.0;
 
-/// e^-penalty; 0 from kLargestPenalty on, and where it is NaN (background has neither depth nor slope).
+/// About e^-penalty, as common/exponential.h has it; 0 from kLargestPenalty on, and where it is NaN (background has neither depth nor slope).
 double weightOfPenalty(double penalty);
 
 /// Rec. 709.
