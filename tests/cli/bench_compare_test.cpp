@@ -48,7 +48,9 @@ TEST_CASE("bench says what changed beyond noise", "[cli]") {
   CHECK(contains(compared(resultOf({4.2}, 0.1, 0.78)), "worse: bmfr on room, 8x8, 4 frames, frame 3: ssim"));
   CHECK(contains(compared(resultOf({4.2}, 0.09, 0.8)), " 0 figures worse, 1 better"));
   CHECK(contains(compared({{"runs", json::array()}}), "0 runs compared"));
-  json longer = before, swept = before;
+  json longer = before, swept = before, huge = before;
+  huge["runs"][0]["height"] = 9e110;  // no integer there is
+  CHECK(contains(compared(huge), "0 runs compared"));
   longer["runs"][0]["frames"] = 8;
   swept["runs"][0]["sweep"] = "sizes";
   CHECK(contains(compared(longer), "0 runs compared"));

@@ -27,10 +27,10 @@ struct Counts {
 
 std::string keyOf(const json& run) {
   const std::string sweep = run.value("sweep", "");
+  // Numbers as they are written: what a damaged file says may be no integer that there is.
   return fmt::format("{} on {}, {}x{}, {} frames{}", run.at("run").get<std::string>(),
-                     run.at("input").get<std::string>(), run.at("width").get<int>(),
-                     run.at("height").get<int>(), run.at("frames").get<int>(),
-                     sweep.empty() ? "" : ", sweep " + sweep);
+                     run.at("input").get<std::string>(), run.at("width").dump(), run.at("height").dump(),
+                     run.at("frames").dump(), sweep.empty() ? "" : ", sweep " + sweep);
 }
 
 const json* findRun(const json& result, const std::string& key) {
@@ -82,7 +82,7 @@ void compareErrors(const std::string& key, const json& before, const json& now, 
       if (valueOf(old, "linear_reference") != valueOf(frame, "linear_reference")) continue;
       for (const metrics::Metric& metric : metrics::imageMetrics()) {
         if (!metric.compared) continue;
-        compareFigure(fmt::format("{}, frame {}: {}", key, frame.at("frame").get<int>(), metric.key), metric,
+        compareFigure(fmt::format("{}, frame {}: {}", key, frame.at("frame").dump(), metric.key), metric,
                       valueOf(old.at("linear"), metric.key), valueOf(frame.at("linear"), metric.key), counts,
                       text);
       }
