@@ -11,6 +11,7 @@
 #include "host/api/captured_frame.hpp"
 #include "host/api/captured_views.hpp"
 #include "host/core/cl_error.hpp"
+#include "host/core/render_rectangle.hpp"
 #include "host/core/whole_file.hpp"
 
 namespace quell {
@@ -201,6 +202,9 @@ void Capture::begin(const cl::CommandQueue& queue, const Frame& frame, const Out
   CapturedFrame& captured = m_shot->frame;
   captured.frameIndex = facts.frameIndex;
   captured.frame = frame;
+  const Frame& prepared = pipeline.configuration().frame;
+  captured.frame.size = prepared.size;
+  captured.frame.renderSize = hasRenderSize(prepared) ? frame.size : Size{};
   captured.frame.camera.worldToClipPrev = facts.worldToClipPrev;
   for (const SettingDescription& setting : facts.settings.descriptions())
     captured.settings.emplace_back(setting.name, facts.settings.text(setting.name));

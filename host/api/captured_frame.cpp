@@ -7,6 +7,7 @@
 
 #include "host/api/captured_lines.hpp"
 #include "host/core/fnv1a.hpp"
+#include "host/core/render_rectangle.hpp"
 #include "host/core/whole_file.hpp"
 
 namespace quell {
@@ -46,6 +47,7 @@ void describeFacts(Lines& lines, Facts& facts) {
 template <class Lines, class FrameType>
 void describeNumbers(Lines& lines, FrameType& frame) {
   lines.line("size", frame.size.width, frame.size.height);
+  lines.lineIf(hasRenderSize(frame), "renderSize", frame.renderSize.width, frame.renderSize.height);
   lines.line("worldToClip", frame.camera.worldToClip);
   lines.line("worldToClipPrev", frame.camera.worldToClipPrev);
   lines.line("jitterPx", frame.camera.jitterPx);

@@ -67,6 +67,10 @@ void LineReader::readContents(const std::vector<unsigned char>& bytes) const {
     refuse("a file of " + std::to_string(place) + " bytes", std::to_string(bytes.size()));
 }
 
+bool LineReader::nextIs(const std::string& word) const {
+  return m_text.compare(m_next, word.size() + 1, word + " ") == 0;
+}
+
 void LineReader::begin(const char* word) {
   const std::size_t end = m_text.find('\n', m_next);
   m_line = end == std::string::npos ? "" : m_text.substr(m_next, end - m_next);

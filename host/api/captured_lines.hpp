@@ -26,6 +26,11 @@ class LineWriter {
     (put(values), ...);
     m_text += '\n';
   }
+  /// A line that there may be.
+  template <class... Values>
+  void lineIf(bool present, const char* word, const Values&... values) {
+    if (present) line(word, values...);
+  }
   /// A text with blanks, to the end of its line.
   void text(const char* word, const std::string& value) { m_text += std::string(word) + " " + value + "\n"; }
   /// Lines that repeat are counted first.
@@ -71,6 +76,10 @@ class LineReader {
     (get(values), ...);
     end();
   }
+  template <class... Values>
+  void lineIf(bool, const char* word, Values&... values) {
+    if (nextIs(word)) line(word, values...);
+  }
   void text(const char* word, std::string& value);
   template <class Items>
   void count(const char* word, Items& items) {
@@ -89,6 +98,7 @@ class LineReader {
   [[noreturn]] void refuse(const std::string& expected, const std::string& got) const;
 
  private:
+  bool nextIs(const std::string& word) const;
   void begin(const char* word);
   void end() const;
   std::string word();

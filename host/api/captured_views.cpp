@@ -4,6 +4,7 @@
 
 #include "host/core/fnv1a.hpp"
 #include "host/core/named_views.hpp"
+#include "host/core/render_rectangle.hpp"
 
 namespace quell {
 namespace {
@@ -46,7 +47,7 @@ bool isOutput(const CapturedView& view) { return view.name.rfind(kOutputPrefix, 
 
 ByteRange rangeOf(const CapturedView& view, const CapturedFrame& captured) {
   const CapturedMemory& memory = captured.memories[static_cast<std::size_t>(view.memory)];
-  return memory.isImage ? ByteRange{0, memory.size} : rangeOf(view.view, captured.frame.size);
+  return memory.isImage ? ByteRange{0, memory.size} : rangeOf(view.view, renderedSize(captured.frame));
 }
 
 std::vector<cl_mem> captureViews(const Frame& frame, const Output& output, CapturedFrame& captured) {
@@ -75,7 +76,7 @@ bool readsFrom(const CapturedFrame& captured, int memory) {
 std::uint64_t pixelHash(const CapturedView& captured, const CapturedFrame& frame, const Bytes& bytes) {
   std::uint64_t hash = kFnv1aStart;
   const ImageView& view = captured.view;
-  const Size size = frame.frame.size;
+  const Size size = renderedSize(frame.frame);
   if (view.isImageObject()) return fnv1a(bytes.data(), bytes.size(), hash);
   const std::ptrdiff_t pitch = view.rowPitch(size.width);
   const unsigned char* top = bytes.data() + (pitch < 0 ? std::ptrdiff_t{size.height - 1} * -pitch : 0);

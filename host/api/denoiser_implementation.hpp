@@ -53,6 +53,7 @@ class QUELL_HIDDEN Denoiser::Implementation {
   const Configuration& configuration() const { return m_pipeline.configuration(); }
   std::vector<BufferSet::History> histories() const { return m_pipeline.buffers().histories(); }
   void continueFrom(std::uint32_t frameIndex) { m_frameIndex = frameIndex; }
+  void setRenderSize(Size size) { m_pipeline.setRenderSize(size); }
 
  private:
   FormerFrames takeFormerFrames();
@@ -64,6 +65,11 @@ class QUELL_HIDDEN Denoiser::Implementation {
   void forgetFailedFrame();
   Camera withPrevious(Camera camera) const;
   cl::CommandQueue queueFor(cl_command_queue given) const;
+  Event denoisePart(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList,
+                    const cl::CommandQueue& queue);
+  std::vector<cl::Event> changeRenderSize(const cl::CommandQueue& queue, Size size,
+                                          std::vector<cl::Event> waitFor);
+  void abandonFrame(const FrameCommands& commands);
   cl::Event record(const cl::CommandQueue& queue, const Frame& frame, const Output& output,
                    std::vector<cl::Event> waitFor);
   cl::Event recordCaptured(const cl::CommandQueue& queue, const Frame& frame, const Output& output,

@@ -4,6 +4,7 @@
 #include "host/api/denoiser_implementation.hpp"
 #include "host/core/buffer_reader.hpp"
 #include "host/core/handle_checks.hpp"
+#include "host/core/render_rectangle.hpp"
 #include "host/core/validation.hpp"
 #include "kernels/common/guides.h"
 
@@ -69,7 +70,7 @@ BackgroundMap Denoiser::Implementation::backgroundMap() const {
   const std::vector<Coverage> coverages = m_pipeline.coverages(m_latestFrame);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (leavesOutBackground(coverages[i])) map.stages.push_back(labels[i]);
-  const auto [columns, rows] = pixelItems(m_pipeline.configuration());
+  const auto [columns, rows] = pixelItems(m_pipeline.renderedConfiguration());
   map.itemWidth = m_pipeline.configuration().device.lanes;
   map.columns = static_cast<int>(columns);
   map.rows = static_cast<int>(rows);
@@ -80,8 +81,10 @@ BackgroundMap Denoiser::Implementation::backgroundMap() const {
 }
 
 FrameCheck Denoiser::Implementation::checkFrame(const Frame& frame, const std::vector<cl_event>& waitList) {
-  checkInputs("checkFrame", frame, m_context());
-  return m_checker.check(m_queue, frame, checkedEvents(waitList, m_context));
+  checkSizes("checkFrame", frame);
+  const Frame part = renderedPart(frame);
+  checkInputs("checkFrame", part, m_context());
+  return m_checker.check(m_queue, part, checkedEvents(waitList, m_context));
 }
 
 std::vector<std::string> Denoiser::Implementation::bufferNames() const {
@@ -103,7 +106,7 @@ BufferContent Denoiser::Implementation::readBuffer(const std::string& name) cons
   m_lastEvent.wait();
   const int parity = static_cast<int>((m_frameIndex - 1) % 2);
   return readBufferContent(m_queue, m_pipeline.buffers().current(index, parity), spec,
-                           m_configuration.size());
+                           m_pipeline.renderSize());
 }
 
 }  // namespace quell

@@ -11,6 +11,7 @@
 #include "host/core/cl_error.hpp"
 #include "host/core/image_schema.hpp"
 #include "host/core/named_views.hpp"
+#include "host/core/render_rectangle.hpp"
 
 namespace quell {
 
@@ -162,6 +163,8 @@ class Replayer {
     Denoiser::Implementation& denoiser = *m_denoiser->m_implementation;
     denoiser.setSettings(settings);
     denoiser.continueFrom(captured.frameIndex);
+    // Histories are captured as the frame finds them, resampled already.
+    if (!captured.histories.empty()) denoiser.setRenderSize(renderedSize(captured.frame));
     for (const CapturedHistory& history : captured.histories) restore(denoiser, history, path);
     m_denoiser->denoise(remade.frame, remade.output).wait();
     ReplayedFrame frame{static_cast<int>(m_replay.frames.size()), {}};
@@ -176,7 +179,7 @@ class Replayer {
       for (const CapturedView& view : captured.views)
         if (view.name == name && named.name == name)
           return pixelHash(view, captured,
-                           readOutput(m_queue, *named.view, captured.frame.size,
+                           readOutput(m_queue, *named.view, renderedSize(captured.frame),
                                       captured.memories[static_cast<std::size_t>(view.memory)]));
     refuse(path, "a view of the output " + name, "none");
   }

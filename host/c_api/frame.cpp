@@ -140,6 +140,7 @@ Frame toFrame(const quell_frame* given, const char* function) {
   const quell_frame read = readStruct(given, function, "frame");
   Frame frame;
   frame.size = {read.width, read.height};
+  frame.renderSize = {read.renderWidth, read.renderHeight};
   frame.camera = toCamera(read.camera);
   frame.demodulated = read.demodulated != 0;
   frame.depthKind = toDepthKind(read.depthKind, function);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "host/core/cl_error.hpp"
 
@@ -83,6 +84,11 @@ std::vector<BufferSet::History> BufferSet::histories() const {
   for (const Slot& slot : m_slots)
     if (slot.history) all.push_back({slot.names, slot.bytes, slot.buffers});
   return all;
+}
+
+void BufferSet::swapHistories() {
+  for (Slot& slot : m_slots)
+    if (slot.history) std::swap(slot.buffers[0], slot.buffers[1]);
 }
 
 MemoryUse BufferSet::memoryUse() const {

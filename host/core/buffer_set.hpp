@@ -39,6 +39,9 @@ class BufferSet {
 
   MemoryUse memoryUse() const;
 
+  /// Makes what frames of either parity have left of the histories that of the others.
+  void swapHistories();
+
  private:
   struct Slot {
     std::string names;

@@ -22,12 +22,18 @@ class FrameCommands {
   /// `last`: of the frame's stages.
   void enqueue(std::size_t stage, bool last, const cl::Kernel& kernel, const cl::NDRange& range,
                const cl::NDRange& local);
+  /// Commands that no stage counts, ahead of the frame.
+  void enqueueAhead(const cl::Kernel& kernel, const cl::NDRange& range, const cl::NDRange& local);
+  void fillWithZeros(const cl::Buffer& buffer, std::size_t bytes);
 
   bool isChain() const { return m_chain; }
   const cl::Event& lastEvent() const { return m_lastEvent; }
   const EventChain& events() const { return m_events; }
 
  private:
+  template <class Enqueue>
+  void add(std::size_t stage, bool last, Enqueue&& enqueue);
+
   const cl::CommandQueue& m_queue;
   std::vector<cl::Event> m_waitFor;
   bool m_chain;

@@ -44,7 +44,7 @@ Bytes resampleNearest(const Bytes& old, const BufferSpec& spec, Size oldSize, Si
 }
 
 bool carryHistory(const cl::CommandQueue& queue, const Pipeline& from, const Pipeline& to, int parity) {
-  const Size oldSize = from.configuration().size(), newSize = to.configuration().size();
+  const Size oldSize = from.renderSize(), newSize = to.configuration().size();
   for (std::size_t i = 0; i < to.plan().buffers.size(); ++i) {
     const BufferSpec& spec = to.plan().buffers[i];
     if (!spec.history) continue;

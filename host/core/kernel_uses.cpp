@@ -24,8 +24,13 @@ class RecordingKernelBuilder : public KernelBuilder {
 }  // namespace
 
 std::vector<KernelUse> kernelUses(Stage& stage, const Configuration& configuration) {
+  return kernelUses([&](const KernelBuilder& builder) { stage.build(builder); }, configuration);
+}
+
+std::vector<KernelUse> kernelUses(const std::function<void(const KernelBuilder&)>& build,
+                                  const Configuration& configuration) {
   std::vector<KernelUse> uses;
-  stage.build(RecordingKernelBuilder(configuration, uses));
+  build(RecordingKernelBuilder(configuration, uses));
   return uses;
 }
 

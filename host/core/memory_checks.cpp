@@ -6,6 +6,7 @@
 #include "host/core/cl_error.hpp"
 #include "host/core/named_views.hpp"
 #include "host/core/overlap.hpp"
+#include "host/core/render_rectangle.hpp"
 
 namespace quell {
 namespace {
@@ -131,7 +132,7 @@ void checkKinds(const char* function, const Frame& frame, const Output& output, 
              "an image object");
     if (named.view->memory == nullptr) continue;
     checkKind(function, named);
-    if (isObject) checkMemoryOf(function, named, frame.size, context);
+    if (isObject) checkMemoryOf(function, named, renderedSize(frame), context);
   }
 }
 

@@ -42,12 +42,19 @@ inline std::string sizeText(Size size) {
 }
 
 /// Whether kernels that are compiled for one can read or write the other.
-inline bool sameLayout(const ImageView& a, const ImageView& b, int width) {
+inline bool samePixels(const ImageView& a, const ImageView& b) {
   if (a.present() != b.present()) return false;
   if (!a.present()) return true;
   if (a.format != b.format || a.channels != b.channels || a.sum != b.sum) return false;
+  return a.isImageObject() || a.pixelStride() == b.pixelStride();
+}
+
+/// Whether their rows lie alike as well.
+inline bool sameLayout(const ImageView& a, const ImageView& b, int width) {
+  if (!samePixels(a, b)) return false;
+  if (!a.present()) return true;
   if (a.isImageObject()) return (a.rowPitchBytes < 0) == (b.rowPitchBytes < 0);
-  return a.pixelStride() == b.pixelStride() && a.rowPitch(width) == b.rowPitch(width);
+  return a.rowPitch(width) == b.rowPitch(width);
 }
 
 }  // namespace quell

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "host/core/kernel_uses.hpp"
+#include "host/core/render_rectangle.hpp"
 #include "host/core/reprojection.hpp"
 #include "host/core/warm_up.hpp"
 
@@ -21,11 +22,13 @@ bool touches(const std::vector<Binding>& row, int buffer) {
 Pipeline::Pipeline(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue,
                    const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule,
                    const Progress& progress)
-    : m_configuration(std::move(configuration)) {
+    : m_configuration(std::move(configuration)), m_renderSize(m_configuration.size()) {
   const DeviceTuning tuning = readTuning(cache.disk(), m_configuration.device.identity);
   plan(tuning, makeSchedule);
   tuneStages(tuning);
   buildStages(context, device, cache, progress);
+  if (hasRenderSize(m_configuration.frame))
+    m_resampler.build(DeviceKernelBuilder(context, device, cache, m_configuration, m_programs), m_plan);
   m_buffers = BufferSet(context, queue, m_plan, m_configuration.size(), m_configuration.options.keptBuffers);
 }
 
@@ -102,6 +105,11 @@ cl::Event Pipeline::warmUp(const cl::Context& context, const cl::CommandQueue& q
     if (progress)
       progress(m_schedule[i].stage->label(), static_cast<int>(count + i + 1), static_cast<int>(2 * count));
   }
+  if (hasRenderSize(m_configuration.frame)) {
+    FrameCommands commands(queue, {}, true, false);
+    m_resampler.enqueue(commands, m_plan, m_buffers, 0, m_renderSize, m_renderSize);
+    queue.finish();
+  }
   return last;
 }
 
@@ -114,17 +122,42 @@ std::vector<StageKernel> Pipeline::kernelStates(const Pipeline& built, const Pro
   planned.plan(tuning, makeSchedule);
   planned.tuneStages(tuning);
   std::vector<StageKernel> kernels;
-  for (std::size_t i = 0; i < planned.m_schedule.size(); ++i) {
-    Stage& stage = *planned.m_schedule[i].stage;
-    StageKernel kernel{stage.label(), KernelState::Built};
-    for (const KernelUse& use : kernelUses(stage, planned.m_stageConfigurations[i])) {
+  const auto add = [&](const std::string& label, const std::vector<KernelUse>& uses) {
+    StageKernel kernel{label, KernelState::Built};
+    for (const KernelUse& use : uses) {
       if (built.m_programs.find(use.stem, use.options)) continue;
       const bool cached = cache.has(planned.m_configuration.device, kernelSource(use.stem), use.options);
       kernel.state = std::min(kernel.state, cached ? KernelState::Cached : KernelState::Missing);
     }
     kernels.push_back(std::move(kernel));
+  };
+  for (std::size_t i = 0; i < planned.m_schedule.size(); ++i) {
+    Stage& stage = *planned.m_schedule[i].stage;
+    add(stage.label(), kernelUses(stage, planned.m_stageConfigurations[i]));
   }
+  if (hasRenderSize(planned.m_configuration.frame))
+    add(HistoryResampler::kStem,
+        kernelUses([&](const KernelBuilder& builder) { planned.m_resampler.build(builder, planned.m_plan); },
+                   planned.m_configuration));
   return kernels;
+}
+
+Configuration Pipeline::renderedConfiguration() const {
+  Configuration rendered = m_configuration;
+  rendered.frame.size = m_renderSize;
+  return rendered;
+}
+
+void Pipeline::setRenderSize(Size size) {
+  m_renderSize = size;
+  for (Configuration& tuned : m_stageConfigurations) tuned.frame.size = size;
+}
+
+void Pipeline::resampleHistories(FrameCommands& commands, Size size, std::uint32_t frameIndex) {
+  const Size before = m_renderSize;
+  setRenderSize(size);
+  m_resampler.enqueue(commands, m_plan, m_buffers, static_cast<int>((frameIndex + 1) % 2), before, size);
+  m_buffers.swapHistories();
 }
 
 bool Pipeline::serves(const Configuration& configuration, const MakeSchedule& makeSchedule) const {
@@ -188,7 +221,7 @@ std::vector<std::string> Pipeline::stageLabels() const {
 }
 
 std::vector<std::uint64_t> Pipeline::stageBytes(const Frame& frame, const Content& content) const {
-  Configuration now = m_configuration;
+  Configuration now = renderedConfiguration();
   now.frame.camera = frame.camera;
   std::vector<std::uint64_t> bytes;
   for (const StageRow& row : m_schedule) bytes.push_back(quell::stageBytes(*row.stage, now, content));
@@ -206,7 +239,7 @@ std::vector<Coverage> Pipeline::coverages(const Frame& frame) const {
 }
 
 std::vector<std::uint8_t> Pipeline::surfaces(const cl::CommandQueue& queue) const {
-  std::vector<std::uint8_t> map(static_cast<std::size_t>(surfaceItemCount(m_configuration)));
+  std::vector<std::uint8_t> map(static_cast<std::size_t>(surfaceItemCount(renderedConfiguration())));
   queue.enqueueReadBuffer(m_buffers.current(m_plan.find(kSurfacesBuffer), 0), CL_TRUE, 0, map.size(),
                           map.data());
   return map;

@@ -8,6 +8,7 @@
 #include "host/core/buffer_set.hpp"
 #include "host/core/disk_cache.hpp"
 #include "host/core/frame_commands.hpp"
+#include "host/core/history_resampler.hpp"
 #include "host/core/schedule.hpp"
 #include "host/core/stage.hpp"
 #include "host/core/tuning.hpp"
@@ -55,7 +56,16 @@ class Pipeline {
   const Plan& plan() const { return m_plan; }
   const BufferSet& buffers() const { return m_buffers; }
 
-  /// Enqueues all stages of a frame.
+  /// Pixels that the latest frame rendered, up to the prepared size, and the configuration with that size.
+  Size renderSize() const { return m_renderSize; }
+  Configuration renderedConfiguration() const;
+  /// Takes frames of another size from now on. Allocates and compiles nothing.
+  void setRenderSize(Size size);
+  /// The same with the histories that the frame before `frameIndex` has left, which are resampled; the configuration has a
+  /// render size.
+  void resampleHistories(FrameCommands& commands, Size size, std::uint32_t frameIndex);
+
+  /// Enqueues all stages of a frame, whose size is renderSize().
   void record(FrameCommands& commands, const Frame& frame, const Output& output,
               const ReprojectionParams& reprojection, std::uint32_t frameIndex) const;
 
@@ -81,11 +91,13 @@ class Pipeline {
   void tuneStages(const DeviceTuning& tuning);
 
   Configuration m_configuration;
+  Size m_renderSize;
   Schedule m_schedule;
   Plan m_plan;
   std::vector<Configuration> m_stageConfigurations;  // as m_configuration, but tuned
   ProgramShelf m_programs;
   BufferSet m_buffers;
+  HistoryResampler m_resampler;  // built where the configuration has a render size
 };
 
 }  // namespace quell

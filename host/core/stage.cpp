@@ -31,12 +31,16 @@ std::string layoutOptions(const Port& port, const ImageView& view) {
 }  // namespace
 
 cl::Kernel KernelBuilder::build(const Stage& stage, const std::string& defines) const {
-  std::string options =
-      "-cl-std=CL1.2 -D QUELL_LANES=" + std::to_string(m_configuration.device.lanes) + defines;
+  std::string options = defines;
   for (const Port& port : stage.ports(m_configuration))
     if (port.isImage())
       options += layoutOptions(port, port.view(m_configuration.frame, m_configuration.output));
-  return compile(stage.name(), options);
+  return build(stage.name(), options);
+}
+
+cl::Kernel KernelBuilder::build(const std::string& stem, const std::string& defines) const {
+  return compile(stem,
+                 "-cl-std=CL1.2 -D QUELL_LANES=" + std::to_string(m_configuration.device.lanes) + defines);
 }
 
 const std::string& kernelSource(const std::string& stem) {

@@ -28,6 +28,8 @@ class KernelBuilder {
   /// The kernel function of the stage's name in kernels/<name>.cl; `defines` as for the compiler, for example
   /// "-D WRITE_PLANES=1". The layouts of the images among the stage's ports are added.
   cl::Kernel build(const Stage& stage, const std::string& defines) const;
+  /// The same of a kernel that belongs to no stage and has no images.
+  cl::Kernel build(const std::string& stem, const std::string& defines) const;
 
   /// Largest work-group that device and kernel allow.
   virtual std::size_t maxWorkGroup(const cl::Kernel& kernel) const = 0;

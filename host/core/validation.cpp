@@ -12,6 +12,7 @@
 #include "host/core/depth.hpp"
 #include "host/core/memory_checks.hpp"
 #include "host/core/named_views.hpp"
+#include "host/core/render_rectangle.hpp"
 #include "host/core/reprojection.hpp"
 
 namespace quell {
@@ -130,7 +131,6 @@ std::string layoutText(const ImageView& view, int width) {
 }
 
 void checkLayouts(const char* function, const Frame& frame, const NamedViews& views) {
-  checkSize(function, frame.size);
   for (const NamedView& named : views) checkView(function, named, frame.size);
   for (const NamedView& named : views)
     if (named.facts->required() && !named.view->present())
@@ -149,17 +149,36 @@ std::string kindText(DepthKind kind) {
 
 }  // namespace
 
+void checkSizes(const char* function, const Frame& frame) {
+  checkSize(function, frame.size);
+  const Size part = renderedSize(frame);
+  if (part.width < 1 || part.height < 1 || part.width > frame.size.width || part.height > frame.size.height)
+    refuse(function, ErrorCode::InvalidArgument, "renderSize",
+           "1x1 to the frame's size of " + sizeText(frame.size) + ", or 0x0 for all of it", sizeText(part));
+}
+
 void checkLayout(const Frame& frame, const Output& output) {
-  checkLayouts(kPrepare, frame, namedViews(frame, output));
+  checkSizes(kPrepare, frame);
+  const Frame part = renderedPart(frame);
+  const Output outputPart = renderedPart(output, frame);
+  checkLayouts(kPrepare, part, namedViews(part, outputPart));
   if (!output.linear.present() && !output.display.present())
     refuse(kPrepare, ErrorCode::InvalidArgument, "output", "a linear or a display image", "none");
 }
 
-void checkSameLayout(const Frame& prepared, const Output& preparedOutput, const Frame& frame,
-                     const Output& output) {
+void checkSameSize(const Frame& prepared, const Frame& frame) {
   if (frame.size != prepared.size)
     refuse(kDenoise, ErrorCode::NotPrepared, "size", sizeText(prepared.size) + ", as prepared",
            sizeText(frame.size));
+  if (!hasRenderSize(frame)) return;
+  checkSizes(kDenoise, frame);
+  if (!hasRenderSize(prepared))
+    refuse(kDenoise, ErrorCode::NotPrepared, "renderSize",
+           "none, or a prepare() with any, which makes ready for other sizes", sizeText(frame.renderSize));
+}
+
+void checkSameLayout(const Frame& prepared, const Output& preparedOutput, const Frame& frame,
+                     const Output& output) {
   if (frame.demodulated != prepared.demodulated) {
     refuse(kDenoise, ErrorCode::NotPrepared, "demodulated",
            prepared.demodulated ? "true, as prepared" : "false, as prepared",
@@ -172,7 +191,9 @@ void checkSameLayout(const Frame& prepared, const Output& preparedOutput, const 
   const auto now = namedViews(frame, output);
   for (std::size_t i = 0; i < now.size(); ++i) {
     checkView(kDenoise, now[i], frame.size);
-    if (!sameLayout(*before[i].view, *now[i].view, frame.size.width)) {
+    const bool same = hasRenderSize(frame) ? samePixels(*before[i].view, *now[i].view)
+                                           : sameLayout(*before[i].view, *now[i].view, frame.size.width);
+    if (!same) {
       refuse(kDenoise, ErrorCode::NotPrepared, now[i].name,
              layoutText(*before[i].view, frame.size.width) + ", as prepared",
              layoutText(*now[i].view, frame.size.width));
@@ -204,6 +225,11 @@ void checkInputs(const char* function, const Frame& frame, cl_context context) {
   checkLayouts(function, frame, namedViews(frame, none));
   checkNumbers(function, frame);
   checkMemory(function, frame, none, context);
+}
+
+void checkPerspective(const char* function, const Frame& frame) {
+  if (frame.viewDepth.present() && isOrthographic(frame.camera.worldToClip))
+    refuse(function, ErrorCode::InvalidArgument, "viewDepth", "a perspective camera", "an orthographic one");
 }
 
 void checkHalfPositions(const Frame& frame) {

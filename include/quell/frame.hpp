@@ -25,7 +25,7 @@ enum class DepthKind {
 /// A pixel with NaN or Inf in radiance or emission is a missing sample: it keeps its history or is filled
 /// from its surroundings. A pixel whose position or normal is not finite passes through unfiltered.
 struct Frame {
-  Size size;
+  Size size;  ///< pixels, as prepared
   Camera camera;
 
 #define QUELL_VIEW(name, ...) ImageView name;
@@ -47,6 +47,13 @@ struct Frame {
 
   /// How many samples images with Sum::OverSampleCount are the sums of, > 0.
   double sampleCount = 1.0;
+
+  /// Dynamic resolution: the pixels that this frame renders, from pixel (0, 0) of every view on, 1x1 to `size`; {0, 0}: all
+  /// of them. Only these are read and written; jitter, motion and `motionScale` are in pixels of this size. Where it is not
+  /// that of the frame before, the history is resampled on the device, each pixel from the nearest one. A prepare() with
+  /// any such size compiles what that takes, without which denoise() throws Error(NotPrepared). Rows that `rowPitchBytes`
+  /// leaves open are as far apart as those of `size`; other pitches may change with this size.
+  Size renderSize = {};
 };
 
 /// Half has a spacing of 1/64 scene units here; beyond, positions are too coarse to tell surfaces apart.

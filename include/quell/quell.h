@@ -257,6 +257,8 @@ typedef struct quell_frame {
       motionScale[2]; /* motion times this is in pixels, x right, y down, previous minus current; both 0: 1 */
   double sampleCount; /* of images with QUELL_OVER_SAMPLE_COUNT; 0: 1 */
   QUELL_FRAME_IMAGES(QUELL_VIEW)
+  int renderWidth; /* dynamic resolution: pixels that this frame renders, up to `width` and `height`; both 0: all of them */
+  int renderHeight; /* quellPrepare must have had such a size, too; see quell::Frame::renderSize */
 } quell_frame;
 
 /* Outputs of one frame, either or both. */

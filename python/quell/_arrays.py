@@ -36,6 +36,7 @@ class ArrayImages:
 
     def _layout(self) -> Tuple[Any, ...]:
         fixed = {name: given for name, given in self._others.items() if name in ("demodulated", "depth_kind")}
+        fixed["renders_parts"] = self._others.get("render_size") is not None
         return self._layouts, self._outputs, fixed
 
     def fits(self, other: "ArrayImages") -> bool:

@@ -150,7 +150,8 @@ class Frame:
 
     def __init__(self, camera: Camera, *, size: Optional[Tuple[int, int]] = None, demodulated: bool = False,
                  depth_kind: str = "view", depth_near: float = 0.0, depth_far: float = 0.0,
-                 motion_scale: Sequence[float] = (1.0, 1.0), sample_count: float = 1.0, **images: Image):
+                 motion_scale: Sequence[float] = (1.0, 1.0), sample_count: float = 1.0,
+                 render_size: Optional[Tuple[int, int]] = None, **images: Image):
         self.camera = camera
         self.views = _views(images, INPUTS, "Frame")
         #: Width and height in pixels; by default those of an image that knows them.
@@ -161,12 +162,16 @@ class Frame:
         self.depth_far = depth_far  #: 0: infinitely far, of depth_kind "reversed" only
         self.motion_scale = motion_scale  #: motion times this is in pixels, x right, y down, previous minus current
         self.sample_count = sample_count  #: of images with the sum "over_sample_count"
+        #: Dynamic resolution: width and height that this frame renders, from pixel (0, 0) on, up to ``size``; None: all of it.
+        #: Denoiser.prepare must have had such a size, too.
+        self.render_size = render_size
 
     def _struct(self) -> Any:
         if self.size is None:
             raise invalid("Frame", "size", "(width, height) in pixels where no image knows it", "None")
         frame = new("quell_frame")
         frame.width, frame.height = self.size
+        frame.renderWidth, frame.renderHeight = self.render_size or (0, 0)
         self.camera._fill(frame.camera)
         frame.demodulated = bool(self.demodulated)
         frame.depthKind = enumerator("Frame", "depth_kind", "QUELL_DEPTH_", _DEPTH_KINDS, self.depth_kind)

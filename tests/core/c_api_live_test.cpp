@@ -40,6 +40,11 @@ TEST_CASE("preparing on a thread, other settings and another queue work through 
   CHECK(kernel.state == QUELL_KERNEL_BUILT);
   CHECK(quellGetStageKernel(denoiser, &frame, &output, 99, &kernel) == QUELL_INVALID_ARGUMENT);
 
+  quell_frame part = frame;
+  part.renderWidth = 20;
+  part.renderHeight = 10;
+  checkError(quellDenoise(denoiser, &part, &output, 0, nullptr, nullptr), QUELL_NOT_PREPARED, "renderSize");
+
   const cl::CommandQueue other(c.device.context, c.device.device);
   REQUIRE(quellDenoiseOn(denoiser, other(), &frame, &output, 0, nullptr, nullptr) == QUELL_SUCCESS);
   other.finish();

@@ -37,6 +37,8 @@ inline quell_frame toC(const Frame& frame) {
   QUELL_INIT(result);
   result.width = frame.size.width;
   result.height = frame.size.height;
+  result.renderWidth = frame.renderSize.width;
+  result.renderHeight = frame.renderSize.height;
   std::memcpy(result.camera.worldToClip, frame.camera.worldToClip.data(), sizeof(Matrix4));
   std::memcpy(result.camera.worldToClipPrev, frame.camera.worldToClipPrev.data(), sizeof(Matrix4));
   std::memcpy(result.camera.jitterPx, frame.camera.jitterPx.data(), sizeof(result.camera.jitterPx));

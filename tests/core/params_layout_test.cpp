@@ -27,6 +27,7 @@
 #include "kernels/material_guides_params.h"
 #include "kernels/remodulate_params.h"
 #include "kernels/render/scene_params.h"
+#include "kernels/resample_history_params.h"
 #include "kernels/temporal_antialiasing_params.h"
 #include "kernels/variance_params.h"
 #include "tests/support/small_denoiser.hpp"
@@ -55,6 +56,7 @@ namespace {
   X("light_params.h", LightParams, tilesY)                                             \
   X("material_guides_params.h", MaterialGuidesParams, images)                          \
   X("remodulate_params.h", RemodulateParams, tilesY)                                   \
+  X("resample_history_params.h", ResampleHistoryParams, planeCount)                    \
   X("temporal_antialiasing_params.h", TemporalAntialiasingParams, antialiasBackground) \
   X("variance_params.h", VarianceParams, temporalFrames)                               \
   X("render/scene_params.h", RenderPrimitive, light)                                   \
