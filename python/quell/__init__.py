@@ -16,12 +16,12 @@ from ._devices import Device, choose_device, devices, make_queue
 from ._images import INPUTS, OUTPUTS, Camera, Frame, Output, View, bottom_up, look_at, packed, summed
 from ._library import Error
 from ._library import version as __version__
-from ._reports import BackgroundMap, CaptureState, Finding, FrameCheck
+from ._reports import BackgroundMap, CaptureState, Finding, FrameCheck, Replay, replay
 from ._settings import InputNeed, SettingInfo, Settings, describe, methods
 from ._tool import compare, denoise_sequence
 
 __all__ = [
-    "BackgroundMap", "Camera", "CaptureState", "Denoiser", "Device", "Error", "Finding", "Frame", "FrameCheck", "INPUTS", "InputNeed",
-    "OUTPUTS", "Output", "SettingInfo", "Settings", "View", "bottom_up", "choose_device", "compare", "denoise_sequence",
-    "describe", "devices", "look_at", "make_queue", "methods", "packed", "summed"
+    "BackgroundMap", "Camera", "CaptureState", "Denoiser", "Device", "Error", "Finding", "Frame", "FrameCheck", "INPUTS",
+    "InputNeed", "OUTPUTS", "Output", "Replay", "SettingInfo", "Settings", "View", "bottom_up", "choose_device",
+    "compare", "denoise_sequence", "describe", "devices", "look_at", "make_queue", "methods", "packed", "replay", "summed"
 ]

@@ -8,7 +8,7 @@ import numpy as np
 from ._arrays import ArrayImages
 from ._devices import make_queue
 from ._images import OUTPUTS, Camera, Frame, Output
-from ._library import check, enumerator, ffi, filled, handle, lib, new, text, value
+from ._library import Error, check, enumerator, ffi, filled, handle, lib, new, text, value
 from ._reports import BackgroundMap, CaptureState, FrameCheck, read_check, read_timings
 from ._settings import Settings, as_settings
 
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     import pyopencl
 
 _TIMERS = ("off", "device", "host")
+_KERNEL_STATES = ("missing", "cached", "built")  # as QUELL_KERNEL_MISSING and so on
+_MOST_STAGES = 1000
 Progress = Callable[[str, int, int], None]
 
 _MAPPINGS = ("automatic", "narrow", "wide", "wide_4", "wide_8", "wide_16")
@@ -100,6 +102,22 @@ class Denoiser:
         """What was written of ``capture_directory`` so far."""
         state = filled(lib.quellGetCaptureState, "quell_capture_state", self._handle)
         return CaptureState(text(state.directory), state.frames, text(state.problem))
+
+    def kernel_states(self, frame: Frame, output: Output) -> Dict[str, str]:
+        """Where prepare() would have the machine code of each stage from, by the stage's label: "missing" (is compiled),
+        "cached" (on disk or in this process) or "built" (by this denoiser). Compiles nothing."""
+        states = {}
+        frame_struct, output_struct = frame._struct(), output._struct()
+        for index in range(_MOST_STAGES):
+            try:
+                kernel = filled(lib.quellGetStageKernel, "quell_stage_kernel", self._handle, frame_struct, output_struct,
+                                index)
+            except Error as error:
+                if index > 0 and error.buffer == "index":
+                    break
+                raise
+            states[text(kernel.stage)] = _KERNEL_STATES[kernel.state]
+        return states
 
     def denoise(self, frame: Frame, output: Output, wait_for: Sequence["pyopencl.Event"] = (),
                 queue: Optional["pyopencl.CommandQueue"] = None) -> "pyopencl.Event":

@@ -2,11 +2,16 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Dict, List
+import os
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Union
 
 import numpy as np
 
-from ._library import filled, lib, text
+from ._devices import make_queue
+from ._library import filled, handle, lib, text
+
+if TYPE_CHECKING:
+    import pyopencl
 
 Statistics = Dict[str, Any]
 
@@ -54,6 +59,29 @@ class CaptureState:
     directory: str  #: the folder of the latest prepare(); empty: nothing is captured
     frames: int  #: that are written there; the others may still be pending
     problem: str  #: a sentence on what ended the capture early; empty: nothing did
+
+
+@dataclasses.dataclass(frozen=True)
+class Replay:
+    """Captured frames, run once more; ``str()`` has a line a frame, and what differs."""
+
+    equal: bool  #: all outputs are those that were captured, bit for bit
+    frames: int  #: of all folders
+    differences: int  #: facts, such as device and driver, that are not the same as where they were captured
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def replay(directory: Union[str, "os.PathLike[str]"], queue: Optional["pyopencl.CommandQueue"] = None) -> Replay:
+    """Runs a captured folder, or all of them that lie in a folder (``capture_directory``, $QUELL_CAPTURE), once more on
+    ``queue``, or on a device of the library's choice; blocks. Raises Error("FileError") for folders that are no captures or
+    are damaged."""
+    queue = queue if queue is not None else make_queue()
+    found = filled(lib.quellReplay, "quell_replay", os.fsencode(directory), handle("cl_context", queue.context),
+                   handle("cl_device_id", queue.device), handle("cl_command_queue", queue))
+    return Replay(bool(found.equal), found.frameCount, found.differenceCount, text(found.text))
 
 
 def _finding(denoiser: Any, index: int) -> Finding:

@@ -5,6 +5,7 @@ Run by ctest with PYTHONPATH at the staged package; exits with 77 where a module
 import os
 import pathlib
 import sys
+import tempfile
 import unittest
 
 try:
@@ -89,6 +90,40 @@ class Pictures(unittest.TestCase):
         pixels = np.empty((HEIGHT, WIDTH, 4), np.float32)
         cl.enqueue_copy(other.queue, pixels, display, origin=(0, 0), region=(WIDTH, HEIGHT))
         np.testing.assert_array_equal(pixels[..., :3], self.expected["display"])
+
+    def test_render_size(self):
+        other = denoiser()
+        size = (WIDTH // 2, HEIGHT)
+        whole = quell.Output(linear=cl.array.zeros(other.queue, (HEIGHT, WIDTH, 3), np.float32))
+        images = {name: cl.array.to_device(other.queue, array) for name, array in scene(0).items()}
+        frame = quell.Frame(camera(), render_size=size, **images)
+        other.prepare(frame, whole)
+        self.assertEqual(set(other.kernel_states(frame, whole).values()), {"built"})
+        other.denoise(frame, whole).wait()
+        linear = whole.views["linear"].memory
+        pixels = np.empty((HEIGHT, WIDTH, 3), np.float32)
+        cl.enqueue_copy(other.queue, pixels, linear)
+        self.assertTrue((pixels[:, size[0]:] == 0.0).all())
+        self.assertGreater(pixels[HEIGHT // 2:, :size[0]].min(), 0.0)
+        frame.render_size = (WIDTH + 1, HEIGHT)
+        with self.assertRaises(quell.Error) as raised:
+            other.denoise(frame, whole)
+        self.assertEqual(raised.exception.buffer, "renderSize")
+
+    def test_replay(self):
+        with tempfile.TemporaryDirectory() as folder:
+            captured = denoiser(capture_directory=folder, capture_frames=2)
+            for number in range(FRAMES):
+                captured.denoise_arrays(camera(), **scene(number))
+            while captured.capture_state().frames < 2:  # files are written a little after the frames
+                self.assertEqual(captured.capture_state().problem, "")
+            replayed = quell.replay(folder, captured.queue)
+            self.assertTrue(replayed.equal, str(replayed))
+            self.assertEqual((replayed.frames, replayed.differences), (2, 0))
+            self.assertIn("bit for bit", str(replayed))
+        with self.assertRaises(quell.Error) as raised:
+            quell.replay("no/such/folder", captured.queue)
+        self.assertEqual(raised.exception.code, "FileError")
 
     def test_reports(self):
         times = self.arrays.timings()
