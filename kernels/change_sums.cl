@@ -41,6 +41,11 @@ QUELL_INLINE TileSums emptySums(void) {
   return sums;
 }
 
+// Which of the eight pixels from an element on have a history to be compared with.
+QUELL_INLINE int8 comparedPixels(__global const uchar* historyLength, int8 inside) {
+  return inside && convert_int8(vload8(0, historyLength)) > 1;
+}
+
 QUELL_INLINE TileSums addRow(TileSums sums, __global const float* innovation, int stride, int8 compared) {
   sums.count += compared ? (float8)(1.0f) : (float8)(0.0f);
   for (int i = 0; i < QUELL_INNOVATION_PLANES; ++i) {
@@ -79,10 +84,33 @@ QUELL_INLINE float oddsOf(PairSums pairs) {
   return chance / max(1.0f - chance, QUELL_CHANGE_LEAST_DOUBT);
 }
 
-// In the direction in which more pairs agree: along an edge, not across.
-QUELL_INLINE float agreementOf(TileSums tile, PairSums beside, PairSums below) {
-  const float least = QUELL_CHANGE_AGREED_PIXELS * (float)(QUELL_TILE * QUELL_TILE);
-  return total(tile.count) < least ? 0.0f : max(oddsOf(beside), oddsOf(below));
+QUELL_INLINE TileRow tileRow(__global const float* luminance, __global const uchar* historyLength,
+                             int8 inside) {
+  TileRow row;
+  row.luminance = vload8(0, luminance);
+  row.compared = comparedPixels(historyLength, inside);
+  return row;
+}
+
+// Odds that neighbours among the tile's luminances agree, in the direction in which more do: along an edge, not across.
+// One walk over the tile a direction: sixteen divisions at once take more registers than two waves have.
+QUELL_INLINE float agreementOf(__global const float* luminance, __global const uchar* historyLength,
+                               int pitch, int rows, int8 inside) {
+  PairSums beside = {(float8)(0.0f), (float8)(0.0f)};
+  PairSums below = beside;
+#pragma unroll 1
+  for (int row = 0; row < rows; ++row) {
+    const TileRow here = tileRow(luminance + row * pitch, historyLength + row * pitch, inside);
+    beside = addPairs(beside, here, nextPixels(here));
+  }
+  TileRow above = tileRow(luminance, historyLength, inside);
+#pragma unroll 1
+  for (int row = 1; row < rows; ++row) {
+    const TileRow here = tileRow(luminance + row * pitch, historyLength + row * pitch, inside);
+    below = addPairs(below, above, here);
+    above = here;
+  }
+  return max(oddsOf(beside), oddsOf(below));
 }
 
 __kernel void change_sums(STAGE_ARGUMENTS(CHANGE_SUMS) ChangeParams params) {
@@ -93,31 +121,27 @@ __kernel void change_sums(STAGE_ARGUMENTS(CHANGE_SUMS) ChangeParams params) {
   const int x = tileX * QUELL_TILE;
   const int y = tileY * QUELL_TILE;
   const int8 inside = x + (int8)(0, 1, 2, 3, 4, 5, 6, 7) < planes.width;
+  const int first = planeIndex(planes, x, y);
+  const int rows = min(QUELL_TILE, planes.height - y);
   const int tiles = params.tilesX * params.tilesY;
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     TileSums tile = emptySums();
-    PairSums beside = {(float8)(0.0f), (float8)(0.0f)};
-    PairSums below = beside;
-    TileRow above = {(float8)(0.0f), (int8)(0)};
-    for (int row = 0; row < QUELL_TILE; ++row) {
-      if (y + row >= planes.height) break;
-      const int index = planeIndex(planes, x, y + row);
-      __global const float* rowInnovation = innovation + QUELL_INNOVATION_PLANES * s * planes.stride + index;
-      TileRow here;
-      here.compared = inside && convert_int8(vload8(0, historyLength + s * planes.stride + index)) > 1;
-      here.luminance = vload8(0, rowInnovation + QUELL_INNOVATION_LUMINANCE * planes.stride);
-      tile = addRow(tile, rowInnovation, planes.stride, here.compared);
-      beside = addPairs(beside, here, nextPixels(here));
-      below = addPairs(below, above, here);
-      above = here;
+    __global const float* tileInnovation = innovation + QUELL_INNOVATION_PLANES * s * planes.stride + first;
+    __global const uchar* tileLength = historyLength + s * planes.stride + first;
+    for (int row = 0; row < rows; ++row) {
+      tile = addRow(tile, tileInnovation + row * planes.pitch, planes.stride,
+                    comparedPixels(tileLength + row * planes.pitch, inside));
     }
+    const float leastPixels = QUELL_CHANGE_AGREED_PIXELS * (float)(QUELL_TILE * QUELL_TILE);
+    const float agreement = agreementOf(tileInnovation + QUELL_INNOVATION_LUMINANCE * planes.stride,
+                                        tileLength, planes.pitch, rows, inside);
     const int record = s * tiles + tileY * params.tilesX + tileX;
     const float8 newest = (float8)(total(tile.count), total(tile.sum[QUELL_INNOVATION_LUMINANCE]),
                                    total(tile.squares[QUELL_INNOVATION_LUMINANCE]),
                                    total(tile.sum[QUELL_INNOVATION_CHROMINANCE]),
                                    total(tile.squares[QUELL_INNOVATION_CHROMINANCE]), 0.0f, 0.0f, 0.0f);
     float8 sums = newest + params.sumsKept * vload8(record, changeSumsPrev);
-    sums.s5 = agreementOf(tile, beside, below);  // QUELL_CHANGE_AGREEMENT
+    sums.s5 = total(tile.count) < leastPixels ? 0.0f : agreement;  // QUELL_CHANGE_AGREEMENT
     vstore8(sums, record, changeSums);
   }
 }
