@@ -2,7 +2,8 @@
 // Source:  ours; the reciprocal of a depth buffer's value is linear in 1 / depth for every perspective projection.
 // In:      an image in the caller's layout or an OpenCL image object, of SOURCE_CHANNELS components.
 // Out:     CHANNELS floats a pixel, row by row from the top: SUM divides sums by their counts, DEPTH makes view depth of other
-//          kinds of it. A sum of no samples, and the depth of what is infinitely far, are not finite.
+//          kinds of it. A sum of no samples, and the depth of what is infinitely far, are not finite. With IDENTIFIERS one
+//          word a pixel, the bits of an image object's first component.
 // Simple loads on purpose: QUELL_LANES pixels a work-item only share its overhead.
 #include "common/image_access.h"
 #include "import_image_params.h"
@@ -10,13 +11,33 @@
 #if SOURCE_FORMAT == QUELL_FORMAT_OBJECT
 #define SOURCE_ARGUMENT __read_only image2d_t
 __constant sampler_t kTexels = CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_NONE | CLK_FILTER_NEAREST;
+#else
+#define SOURCE_ARGUMENT __global const uchar*
+#endif
 
+#if IDENTIFIERS
+typedef uint Imported;
+
+// Integers of fewer bits are extended, as OpenCL does; a read of another kind than the texels is undefined.
+QUELL_INLINE void importPixel(SOURCE_ARGUMENT source, __global Imported* pixel, ImportImageParams params,
+                              int x, int y) {
+  const int2 texel = (int2)(x, params.source.offset + y * params.source.rowPitch);
+  const int type = get_image_channel_data_type(source);
+  if (type == CLK_UNSIGNED_INT8 || type == CLK_UNSIGNED_INT16 || type == CLK_UNSIGNED_INT32)
+    pixel[0] = read_imageui(source, kTexels, texel).x;
+  else if (type == CLK_SIGNED_INT8 || type == CLK_SIGNED_INT16 || type == CLK_SIGNED_INT32)
+    pixel[0] = as_uint(read_imagei(source, kTexels, texel).x);
+  else
+    pixel[0] = as_uint(read_imagef(source, kTexels, texel).x);
+}
+#else
+typedef float Imported;
+
+#if SOURCE_FORMAT == QUELL_FORMAT_OBJECT
 QUELL_INLINE float4 loadSource(__read_only image2d_t source, ImageViewParams view, int x, int y) {
   return read_imagef(source, kTexels, (int2)(x, view.offset + y * view.rowPitch));
 }
 #else
-#define SOURCE_ARGUMENT __global const uchar*
-
 QUELL_INLINE float4 loadSource(__global const uchar* source, ImageViewParams view, int x, int y) {
   const size_t first = pixelComponent(view, x, y, SOURCE_STRIDE);
   float4 value = (float4)(loadComponent(source, first, SOURCE_FORMAT), 0.0f, 0.0f, 0.0f);
@@ -50,16 +71,19 @@ QUELL_INLINE float toViewDepth(float value, ImportImageParams params, int x, int
 #endif
 }
 
-__kernel void import_image(SOURCE_ARGUMENT source, __global float* imported, ImportImageParams params) {
+QUELL_INLINE void importPixel(SOURCE_ARGUMENT source, __global Imported* pixel, ImportImageParams params,
+                              int x, int y) {
+  const float4 value = meanOf(loadSource(source, params.source, x, y), params.sampleCount);
+  pixel[0] = toViewDepth(value.x, params, x, y);
+  if (CHANNELS > 1) pixel[1] = value.y;
+  if (CHANNELS > 2) pixel[2] = value.z;
+}
+#endif
+
+__kernel void import_image(SOURCE_ARGUMENT source, __global Imported* imported, ImportImageParams params) {
   const int first = (int)get_global_id(0) * QUELL_LANES;
   const int y = (int)get_global_id(1);
   if (y >= params.height) return;
-  for (int x = first; x < min(first + QUELL_LANES, params.width); ++x) {
-    float4 value = meanOf(loadSource(source, params.source, x, y), params.sampleCount);
-    value.x = toViewDepth(value.x, params, x, y);
-    __global float* pixel = imported + ((size_t)y * (size_t)params.width + (size_t)x) * CHANNELS;
-    pixel[0] = value.x;
-    if (CHANNELS > 1) pixel[1] = value.y;
-    if (CHANNELS > 2) pixel[2] = value.z;
-  }
+  for (int x = first; x < min(first + QUELL_LANES, params.width); ++x)
+    importPixel(source, imported + ((size_t)y * (size_t)params.width + (size_t)x) * CHANNELS, params, x, y);
 }

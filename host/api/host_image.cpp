@@ -26,7 +26,7 @@ float componentAt(const unsigned char* bytes, ComponentFormat format) {
   return valueAt<float>(bytes);
 }
 
-/// As read_imagef has them (OpenCL 1.2, section 8.3.1).
+/// As read_imagef has them (OpenCL 1.2, section 8.3.1), and integers as their value.
 float texelComponentAt(const unsigned char* bytes, cl_channel_type type) {
   switch (type) {
     case CL_UNORM_INT8:
@@ -37,6 +37,18 @@ float texelComponentAt(const unsigned char* bytes, cl_channel_type type) {
       return static_cast<float>(valueAt<std::uint16_t>(bytes)) / 65535.0f;
     case CL_SNORM_INT16:
       return std::max(static_cast<float>(valueAt<std::int16_t>(bytes)) / 32767.0f, -1.0f);
+    case CL_SIGNED_INT8:
+      return static_cast<float>(valueAt<std::int8_t>(bytes));
+    case CL_SIGNED_INT16:
+      return static_cast<float>(valueAt<std::int16_t>(bytes));
+    case CL_SIGNED_INT32:
+      return static_cast<float>(valueAt<std::int32_t>(bytes));
+    case CL_UNSIGNED_INT8:
+      return static_cast<float>(*bytes);
+    case CL_UNSIGNED_INT16:
+      return static_cast<float>(valueAt<std::uint16_t>(bytes));
+    case CL_UNSIGNED_INT32:
+      return static_cast<float>(valueAt<std::uint32_t>(bytes));
     case CL_HALF_FLOAT:
       return cl_half_to_float(valueAt<cl_half>(bytes));
     default:
@@ -45,8 +57,19 @@ float texelComponentAt(const unsigned char* bytes, cl_channel_type type) {
 }
 
 std::size_t typeBytes(cl_channel_type type) {
-  if (type == CL_UNORM_INT8 || type == CL_SNORM_INT8) return 1;
-  return type == CL_FLOAT ? 4 : 2;
+  switch (type) {
+    case CL_UNORM_INT8:
+    case CL_SNORM_INT8:
+    case CL_SIGNED_INT8:
+    case CL_UNSIGNED_INT8:
+      return 1;
+    case CL_FLOAT:
+    case CL_SIGNED_INT32:
+    case CL_UNSIGNED_INT32:
+      return 4;
+    default:
+      return 2;
+  }
 }
 
 std::vector<float> readTexels(const cl::CommandQueue& queue, const ImageView& view, Size size,

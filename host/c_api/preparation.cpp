@@ -1,5 +1,7 @@
 // Preparing, live changes, captures and replays in the C API.
+#include <optional>
 #include <quell/replay.hpp>
+#include <string>
 
 #include "host/c_api/boundary.hpp"
 #include "host/c_api/frame.hpp"
@@ -107,13 +109,15 @@ quell_status quellGetCaptureState(quell_denoiser* denoiser, quell_capture_state*
 }
 
 quell_status quellReplay(const char* directory, cl_context context, cl_device_id device,
-                         cl_command_queue queue, quell_replay* replay) {
+                         cl_command_queue queue, const char* cacheDirectory, quell_replay* replay) {
   return guarded("quellReplay", [&] {
     require(directory, "quellReplay", "directory");
     static thread_local std::string text;
     quell_replay all{0, 1, 0, 0, nullptr};
     std::string lines;
-    for (const quell::Replay& one : quell::replay(directory, context, device, queue)) {
+    const std::optional<std::string> cache =
+        cacheDirectory == nullptr ? std::nullopt : std::optional<std::string>(cacheDirectory);
+    for (const quell::Replay& one : quell::replay(directory, context, device, queue, cache)) {
       lines += quell::toText(one);
       all.equal = all.equal != 0 && one.equal() ? 1 : 0;
       all.frameCount += static_cast<int>(one.frames.size());

@@ -51,6 +51,12 @@ bool standsForFloats(cl_channel_type type) {
   return std::find(std::begin(kTypes), std::end(kTypes), type) != std::end(kTypes);
 }
 
+bool isInteger(cl_channel_type type) {
+  constexpr cl_channel_type kTypes[] = {CL_SIGNED_INT8,   CL_SIGNED_INT16,   CL_SIGNED_INT32,
+                                        CL_UNSIGNED_INT8, CL_UNSIGNED_INT16, CL_UNSIGNED_INT32};
+  return std::find(std::begin(kTypes), std::end(kTypes), type) != std::end(kTypes);
+}
+
 std::string hex(cl_uint value) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string text = "0x";
@@ -66,9 +72,12 @@ void checkTexels(const char* function, const NamedView& named, Size size) {
     refuse(function, ErrorCode::InvalidArgument, named.name, "an image of at least " + sizeText(size),
            std::to_string(width) + "x" + std::to_string(height));
   const auto format = imageInfo<cl_image_format>(image, CL_IMAGE_FORMAT);
-  if (!standsForFloats(format.image_channel_data_type))
+  const bool identifiers = named.facts->identifiers();
+  if (!standsForFloats(format.image_channel_data_type) &&
+      !(identifiers && isInteger(format.image_channel_data_type)))
     refuse(function, ErrorCode::InvalidArgument, named.name,
-           "texels of floats, halves or normalised 8- or 16-bit integers",
+           std::string("texels of floats, halves or normalised 8- or 16-bit integers") +
+               (identifiers ? ", or of integers" : ""),
            "channel data type " + hex(format.image_channel_data_type));
   if (orderChannels(format.image_channel_order) < named.view->channels)
     refuse(function, ErrorCode::InvalidArgument, named.name,

@@ -105,8 +105,6 @@ void checkView(const char* function, const NamedView& named, Size size) {
   }
   if (view.format == ComponentFormat::UInt32 && !facts.identifiers())
     invalid("floats or halves", formatText(view.format));
-  if (view.isImageObject() && facts.identifiers())
-    invalid("a buffer: identifiers are compared bit by bit", "an image object");
   if (view.sum != Sum::None && (named.output || facts.identifiers())) invalid("values", "sums");
   if (view.sum == Sum::CountInFourth && view.channels != 4)
     invalid("4 channels, of which the fourth counts", std::to_string(view.channels));

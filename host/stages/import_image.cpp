@@ -35,6 +35,7 @@ void ImportImage::build(const KernelBuilder& builder) {
   const int depth = m_image.member == &Frame::viewDepth ? depthOption(frame.depthKind) : QUELL_DEPTH_AS_IT_IS;
   m_kernel = builder.build(
       *this, " -D SUM=" + std::to_string(static_cast<int>(view.sum)) + " -D DEPTH=" + std::to_string(depth) +
+                 " -D IDENTIFIERS=" + (m_image.identifiers() ? "1" : "0") +
                  " -D CHANNELS=" + std::to_string(viewForStages(frame, m_image.member).channels));
   m_workGroup = builder.pixelWorkGroup(m_kernel);
 }

@@ -179,7 +179,8 @@ enum {
   QUELL_FLOAT16 = 1, /* IEEE half */
   QUELL_UINT32 = 2,  /* 32-bit unsigned integers, for object ids only */
   QUELL_IMAGE_OBJECT =
-      3 /* `memory` is an OpenCL image of two dimensions, of floats, halves or normalised integers */
+      3 /* `memory` is an OpenCL image of two dimensions, of floats, halves or normalised integers, for
+         object ids also of integers */
 };
 
 /* What a pixel of an input holds where a renderer adds up samples. */
@@ -502,10 +503,10 @@ typedef struct quell_replay {
   int differenceCount; /* facts, such as device and driver, that were not the same where they were captured */
   const char* text;    /* on all of it; lives until the next quellReplay on this thread */
 } quell_replay;
-/* Runs a captured folder, or all of them that lie in a folder, once more; blocks. QUELL_FILE_ERROR for folders that are no
- * captures or are damaged. */
+/* Runs a captured folder, or all of them that lie in a folder, once more; blocks. `cacheDirectory` as in quell_options.
+ * QUELL_FILE_ERROR for folders that are no captures or are damaged. */
 quell_status quellReplay(const char* directory, cl_context context, cl_device_id device,
-                         cl_command_queue queue, quell_replay* replay);
+                         cl_command_queue queue, const char* cacheDirectory, quell_replay* replay);
 
 /* What the latest frame left out because it is background (setting `skip`). All zero before the first frame after
  * quellPrepare or quellResetHistory, and for methods and settings that leave out nothing. */

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional, Union
 import numpy as np
 
 from ._devices import make_queue
-from ._library import filled, handle, lib, text
+from ._library import ffi, filled, handle, lib, text
 
 if TYPE_CHECKING:
     import pyopencl
@@ -74,13 +74,15 @@ class Replay:
         return self.text
 
 
-def replay(directory: Union[str, "os.PathLike[str]"], queue: Optional["pyopencl.CommandQueue"] = None) -> Replay:
+def replay(directory: Union[str, "os.PathLike[str]"], queue: Optional["pyopencl.CommandQueue"] = None,
+           cache_directory: Optional[str] = None) -> Replay:
     """Runs a captured folder, or all of them that lie in a folder (``capture_directory``, $QUELL_CAPTURE), once more on
-    ``queue``, or on a device of the library's choice; blocks. Raises Error("FileError") for folders that are no captures or
-    are damaged."""
+    ``queue``, or on a device of the library's choice; blocks. ``cache_directory`` as in Denoiser. Raises
+    Error("FileError") for folders that are no captures or are damaged."""
     queue = queue if queue is not None else make_queue()
     found = filled(lib.quellReplay, "quell_replay", os.fsencode(directory), handle("cl_context", queue.context),
-                   handle("cl_device_id", queue.device), handle("cl_command_queue", queue))
+                   handle("cl_device_id", queue.device), handle("cl_command_queue", queue),
+                   ffi.NULL if cache_directory is None else os.fsencode(cache_directory))
     return Replay(bool(found.equal), found.frameCount, found.differenceCount, text(found.text))
 
 

@@ -81,13 +81,13 @@ TEST_CASE("captures are written and run again through the C API", "[core][c]") {
   CHECK(std::string(state.problem).empty());
   quell_replay replay;
   QUELL_INIT(replay);
-  REQUIRE(quellReplay(path.c_str(), device.context(), device.device(), device.queue(), &replay) ==
+  REQUIRE(quellReplay(path.c_str(), device.context(), device.device(), device.queue(), "", &replay) ==
           QUELL_SUCCESS);
   CHECK(replay.equal == 1);
   CHECK(replay.frameCount == 1);
   CHECK(replay.differenceCount == 0);
   CHECK_THAT(replay.text, Catch::Contains("bit for bit"));
-  checkError(quellReplay("/nowhere", device.context(), device.device(), device.queue(), &replay),
+  checkError(quellReplay("/nowhere", device.context(), device.device(), device.queue(), nullptr, &replay),
              QUELL_FILE_ERROR, "/nowhere");
 }
 

@@ -161,6 +161,65 @@ TEST_CASE("image objects of normalised integers are converted, in the order of t
   CHECK(largestDifference(normal.display, expected.display) < 0.05);
 }
 
+TEST_CASE("image objects of object ids hold integers, extended, or the bits of floats", "[core]") {
+  ImageSetup setup;
+  setup.objectId = {ComponentFormat::UInt32, 1};
+  SmallDenoiser small(setup, testOptions(), 0, Settings("svgf"));
+  if (!hasImages(small.device)) return;
+  const std::size_t pixels = std::size_t(setup.size.width) * std::size_t(setup.size.height);
+  Frame frame = small.buffers.frame;
+  frame.objectId = imageObject(nullptr, 1);
+  small.denoiser.prepare(frame, small.buffers.output);
+  // One kernel for all of them: what the texels are, the image says. Kept ids are read as signed integers.
+  const auto idsOf = [&](cl_channel_type type, auto texel) {
+    const cl::Image2D image(small.device.context, CL_MEM_READ_ONLY, cl::ImageFormat(CL_RGBA, type),
+                            std::size_t(setup.size.width), std::size_t(setup.size.height));
+    std::vector<decltype(texel)> texels(4 * pixels);
+    for (std::size_t i = 0; i < pixels; ++i) texels[4 * i] = texel;
+    small.device.queue.enqueueWriteImage(image, CL_TRUE, {0, 0, 0},
+                                         {std::size_t(setup.size.width), std::size_t(setup.size.height), 1},
+                                         0, 0, texels.data());
+    frame.objectId.memory = image();
+    small.denoiser.denoise(frame, small.buffers.output).wait();
+    const BufferContent ids = small.denoiser.readBuffer("objectIds");
+    CHECK(std::count(ids.values.begin(), ids.values.end(), ids.values.front()) == std::ptrdiff_t(pixels));
+    return ids.values.front();
+  };
+  CHECK(idsOf(CL_UNSIGNED_INT32, cl_uint(0x80000100)) == -2147483392.0f);
+  CHECK(idsOf(CL_UNSIGNED_INT8, cl_uchar(200)) == 200.0f);
+  CHECK(idsOf(CL_UNSIGNED_INT16, cl_ushort(60000)) == 60000.0f);
+  CHECK(idsOf(CL_SIGNED_INT32, cl_int(-256)) == -256.0f);
+  CHECK(idsOf(CL_SIGNED_INT16, cl_short(300)) == 300.0f);
+  CHECK(idsOf(CL_FLOAT, cl_float(1.0f)) == float(0x3F800000));
+}
+
+TEST_CASE("history of another object is discarded where ids lie in an image object", "[core]") {
+  if (!hasImages(OpenDevice())) return;
+  const auto run = [](cl_uint second) {
+    SmallDenoiser small;
+    const Size size = small.buffers.frame.size;
+    const cl::Image2D image(small.device.context, CL_MEM_READ_ONLY, cl::ImageFormat(CL_R, CL_UNSIGNED_INT32),
+                            std::size_t(size.width), std::size_t(size.height));
+    Frame frame = small.buffers.frame;
+    frame.objectId = imageObject(image(), 1);
+    small.denoiser.prepare(frame, small.buffers.output);
+    for (int number = 0; number < 2; ++number) {
+      small.buffers.upload(number);
+      frame.camera = small.buffers.frame.camera;
+      const cl_uint id = number == 0 ? 0xFFFFFFFEu : second;
+      const std::vector<cl_uint> ids(std::size_t(size.width) * std::size_t(size.height), id);
+      small.device.queue.enqueueWriteImage(image, CL_TRUE, {0, 0, 0},
+                                           {std::size_t(size.width), std::size_t(size.height), 1}, 0, 0,
+                                           ids.data());
+      small.denoiser.denoise(frame, small.buffers.output).wait();
+    }
+    return small.buffers.download();
+  };
+  const Picture plain = SmallDenoiser().run(0, 1);
+  CHECK(run(0xFFFFFFFEu) == plain);
+  CHECK_FALSE(run(0xFFFFFFFFu).linear.pixels == plain.linear.pixels);
+}
+
 TEST_CASE("an image object is refused where it cannot be had, by prepare() where it is given", "[core]") {
   SmallDenoiser small;
   if (!hasImages(small.device)) return;

@@ -117,7 +117,7 @@ class Pictures(unittest.TestCase):
                 captured.denoise_arrays(camera(), **scene(number))
             while captured.capture_state().frames < 2:  # files are written a little after the frames
                 self.assertEqual(captured.capture_state().problem, "")
-            replayed = quell.replay(folder, captured.queue)
+            replayed = quell.replay(folder, captured.queue, cache_directory="")
             self.assertTrue(replayed.equal, str(replayed))
             self.assertEqual((replayed.frames, replayed.differences), (2, 0))
             self.assertIn("bit for bit", str(replayed))
