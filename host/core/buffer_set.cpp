@@ -66,7 +66,7 @@ std::vector<cl_mem> BufferSet::arguments(const std::vector<Binding>& row, const 
   for (const Binding& binding : row) {
     const Port& port = binding.port;
     if (!port.exists) {
-      memory.push_back(nullptr);
+      if (port.input == nullptr) memory.push_back(nullptr);
     } else if (port.isImage() && !binding.hasBuffer()) {
       memory.push_back(port.view(frame, output).memory);
     } else if (port.access == Access::Table) {

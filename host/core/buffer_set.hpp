@@ -25,7 +25,7 @@ class BufferSet {
   const cl::Buffer& previous(int buffer, int parity) const;
 
   /// What the ports of a row of the plan are bound to in a frame of this parity, in their order; null where there is
-  /// nothing.
+  /// no buffer, and nothing for an input that is absent.
   std::vector<cl_mem> arguments(const std::vector<Binding>& row, const Configuration& configuration,
                                 const Frame& frame, const Output& output, int parity) const;
 

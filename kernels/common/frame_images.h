@@ -17,7 +17,7 @@ typedef struct FrameImages {
 
 #define QUELL_NO_BUFFER(name, access, element, extent, touched, when)
 #define QUELL_NO_OUTPUT(name, NAME, share, when)
-#define QUELL_BIND_IMAGE(name, NAME, share, when) images.name = name##Data;
+#define QUELL_BIND_IMAGE(name, NAME, share, when) QUELL_IF_FORMAT(NAME##_FORMAT, images.name = name##Data;)
 
 // Declares `images`, the images among the ports of a stage; first thing in its kernel.
 #define BIND_FRAME_IMAGES(STEM, imageParams) \

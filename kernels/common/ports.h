@@ -17,7 +17,8 @@
 //          have too short a one), CHANGED (whose light has changed), NEAR_SURFACES (background next to a surface),
 //          WHERE_REPROJECTED (SURFACES, and the background if it is antialiased), LOOKED_UP (unknown, 0 is counted). The
 //          `share` of an image likewise. What a stage leaves out because it is background need not be said.
-// when     whether there is such a port, in terms of the options and HAS(image); ALWAYS. An absent port is a null pointer.
+// when     whether there is such a port, in terms of the options and HAS(image); ALWAYS. An absent buffer is a null pointer, an
+//          absent image no argument: most frames have four of a dozen, and each argument takes host time at every launch.
 //
 // A use without a port does not compile; nor does a port of another element.
 #ifndef QUELL_COMMON_PORTS_H
@@ -40,8 +41,17 @@
 
 #define QUELL_PORT_ARGUMENT(name, access, element, extent, touched, when) \
   QUELL_POINTER_##access(QUELL_TYPE_##element) name,
-#define QUELL_IMAGE_ARGUMENT(name, NAME, share, when) __global const uchar *name##Data,
+#define QUELL_IMAGE_ARGUMENT(name, NAME, share, when) \
+  QUELL_IF_FORMAT(NAME##_FORMAT, __global const uchar* name##Data, )
 #define QUELL_OUTPUT_ARGUMENT(name, NAME, share, when) NAME##_ARGUMENT name##Data,
+
+// What stands for an image of any format but 0, which is an absent one.
+#define QUELL_IF_FORMAT(format, ...) QUELL_IF_FORMAT_NUMBER(format, __VA_ARGS__)
+#define QUELL_IF_FORMAT_NUMBER(format, ...) QUELL_IF_FORMAT_##format(__VA_ARGS__)
+#define QUELL_IF_FORMAT_0(...)
+#define QUELL_IF_FORMAT_1(...) __VA_ARGS__
+#define QUELL_IF_FORMAT_2(...) __VA_ARGS__
+#define QUELL_IF_FORMAT_3(...) __VA_ARGS__
 
 // The arguments of a stage's kernel, in front of its parameters.
 #define STAGE_ARGUMENTS(STEM) STEM##_PORTS(QUELL_PORT_ARGUMENT, QUELL_IMAGE_ARGUMENT, QUELL_OUTPUT_ARGUMENT)
