@@ -1,4 +1,17 @@
 # `cpack`: Debian packages of the components that QuellInstall names: libquell1 (after the SONAME), libquell-dev and quell.
+set(CPACK_PACKAGE_CONTACT "Quell developers <quell@localhost>" CACHE STRING "Maintainer of Debian packages")
+# What Debian asks to be in each package: a changelog of the packaging, and that the loader's cache is brought up to date.
+string(TIMESTAMP QUELL_PACKAGE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(WRITE ${PROJECT_BINARY_DIR}/debian/changelog "quell (${PROJECT_VERSION}) unstable; urgency=medium
+
+  * Packaged from sources; what changed in them is in CHANGELOG.md there.
+
+ -- ${CPACK_PACKAGE_CONTACT}  ${QUELL_PACKAGE_DATE}
+")
+execute_process(COMMAND gzip -9nf changelog WORKING_DIRECTORY ${PROJECT_BINARY_DIR}/debian COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/triggers)
+
 set(packages runtime libquell${QUELL_SOVERSION} development libquell-dev tool quell)
 set(CPACK_COMPONENTS_ALL "")
 while(packages)
@@ -12,16 +25,20 @@ while(packages)
   # Debian wants it in the folder of each package.
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright
           COMPONENT ${component})
+  install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
+          COMPONENT ${component})
 endwhile()
 
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_CONTACT "Quell developers <quell@localhost>" CACHE STRING "Maintainer of Debian packages")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
-    "Removes the noise from path tracing on the renderer's own OpenCL queue and buffers. Programs in C and C++ call it.")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers, static library, and packages for CMake and pkg-config of the denoiser Quell.")
+    "Removes the noise from path tracing on the renderer's own OpenCL queue
+and buffers. Programs in C and C++ call it.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers, static library, and packages for CMake and pkg-config of the
+denoiser Quell.")
 set(CPACK_COMPONENT_TOOL_DESCRIPTION
-    "Denoises, checks and compares frame sequences of renderers on any OpenCL device, and times every stage.")
+    "Denoises, checks and compares frame sequences of renderers on any OpenCL
+device, and times every stage.")
 set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
