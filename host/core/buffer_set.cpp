@@ -59,24 +59,27 @@ const cl::Buffer& BufferSet::current(int buffer, int parity) const {
 
 const cl::Buffer& BufferSet::previous(int buffer, int parity) const { return current(buffer, 1 - parity); }
 
-std::vector<cl_mem> BufferSet::arguments(const std::vector<Binding>& row, const Configuration& configuration,
-                                         const Frame& frame, const Output& output, int parity) const {
-  std::vector<cl_mem> memory;
-  memory.reserve(row.size());
+std::vector<Argument> BufferSet::arguments(const std::vector<Binding>& row,
+                                           const Configuration& configuration, const Frame& frame,
+                                           const Output& output, int parity) const {
+  std::vector<Argument> arguments;
+  arguments.reserve(row.size());
   for (const Binding& binding : row) {
     const Port& port = binding.port;
+    if (!port.isArgument()) continue;
     if (!port.exists) {
-      if (port.input == nullptr) memory.push_back(nullptr);
+      arguments.push_back({nullptr, true});
     } else if (port.isImage() && !binding.hasBuffer()) {
-      memory.push_back(port.view(frame, output).memory);
+      arguments.push_back({port.view(frame, output).memory, false});
     } else if (port.access == Access::Table) {
-      memory.push_back(configuration.tables.at(port.name)());
+      arguments.push_back({configuration.tables.at(port.name)(), true});
     } else {
-      memory.push_back(port.access == Access::Previous ? previous(binding.buffer, parity)()
-                                                       : current(binding.buffer, parity)());
+      const cl::Buffer& buffer = port.access == Access::Previous ? previous(binding.buffer, parity)
+                                                                 : current(binding.buffer, parity);
+      arguments.push_back({buffer(), true});
     }
   }
-  return memory;
+  return arguments;
 }
 
 std::vector<BufferSet::History> BufferSet::histories() const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/core/bound_kernel.hpp"
 #include "host/core/schedule.hpp"
 
 namespace quell {
@@ -26,8 +27,8 @@ class BufferSet {
 
   /// What the ports of a row of the plan are bound to in a frame of this parity, in their order; null where there is
   /// no buffer, and nothing for an input that is absent.
-  std::vector<cl_mem> arguments(const std::vector<Binding>& row, const Configuration& configuration,
-                                const Frame& frame, const Output& output, int parity) const;
+  std::vector<Argument> arguments(const std::vector<Binding>& row, const Configuration& configuration,
+                                  const Frame& frame, const Output& output, int parity) const;
 
   /// A buffer that is kept from frame to frame, as the frames of either parity write it.
   struct History {

@@ -71,6 +71,8 @@ struct Port {
   bool asGiven = false;  ///< the caller's image itself, where others read it as imported
 
   bool isImage() const { return input != nullptr || output != nullptr; }
+  /// Of the kernel: absent inputs are none, see kernels/common/ports.h.
+  bool isArgument() const { return exists || input == nullptr; }
   bool writes() const {
     return access == Access::Write || access == Access::Update || access == Access::Scratch;
   }

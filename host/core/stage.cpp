@@ -124,11 +124,6 @@ OutputImageParams makeImageParams(const Output& output, Size size) {
   return params;
 }
 
-void FrameRun::bindPorts(cl::Kernel& kernel) const {
-  for (std::size_t i = 0; i < m_arguments.size(); ++i)
-    kernel.setArg(static_cast<cl_uint>(i), sizeof(cl_mem), &m_arguments[i]);
-}
-
 void FrameRun::enqueueRounded(const cl::Kernel& kernel, std::array<std::size_t, 2> global,
                               const cl::NDRange& local) const {
   m_enqueue(kernel, cl::NDRange(roundUp(global[0], local[0]), roundUp(global[1], local[1])), local);

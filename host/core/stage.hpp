@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/core/bound_kernel.hpp"
 #include "host/core/program_cache.hpp"
 #include "host/core/schedule.hpp"
 #include "kernels/common/frame_image_params.h"
@@ -97,7 +98,7 @@ class FrameRun {
 
   /// `arguments`: what the stage's ports are bound to, see BufferSet::arguments().
   FrameRun(const Configuration& c, const Frame& f, const Output& o, const ReprojectionParams& r,
-           std::uint32_t index, std::vector<cl_mem> arguments, Enqueue enqueue)
+           std::uint32_t index, std::vector<Argument> arguments, Enqueue enqueue)
       : configuration(c),
         frame(f),
         output(o),
@@ -115,10 +116,9 @@ class FrameRun {
   /// Binds the stage's ports and its parameters, the last argument, and enqueues. `global` is rounded up to a multiple
   /// of `local`.
   template <class Params>
-  void launch(cl::Kernel& kernel, std::array<std::size_t, 2> global, const cl::NDRange& local,
+  void launch(BoundKernel& kernel, std::array<std::size_t, 2> global, const cl::NDRange& local,
               const Params& params) const {
-    bindPorts(kernel);
-    kernel.setArg(static_cast<cl_uint>(m_arguments.size()), sizeof(Params), &params);
+    kernel.bind(m_arguments, &params, sizeof(Params));
     enqueueRounded(kernel, global, local);
   }
 
@@ -126,11 +126,10 @@ class FrameRun {
   std::array<std::size_t, 2> pixelRange() const { return pixelItems(configuration); }
 
  private:
-  void bindPorts(cl::Kernel& kernel) const;
   void enqueueRounded(const cl::Kernel& kernel, std::array<std::size_t, 2> global,
                       const cl::NDRange& local) const;
 
-  std::vector<cl_mem> m_arguments;
+  std::vector<Argument> m_arguments;
   Enqueue m_enqueue;
 };
 
@@ -191,7 +190,7 @@ class KernelStage : public Stage, protected Interface {
   /// Compile options that are no numbers.
   virtual std::string textDefines() const { return {}; }
 
-  cl::Kernel m_kernel;
+  BoundKernel m_kernel;
   cl::NDRange m_workGroup;
 };
 

@@ -27,7 +27,7 @@ class ImportImage : public Stage {
 
   const ImageMember<Frame, ImageView>& m_image;
   std::string m_buffer;
-  cl::Kernel m_kernel;
+  BoundKernel m_kernel;
   cl::NDRange m_workGroup;
 };
 

@@ -175,12 +175,13 @@ io::Image StageHarness::output(const ImageView Output::*image) const {
 }
 
 double StageHarness::run(const ReprojectionParams& reprojection, std::uint32_t frameIndex) {
-  std::vector<cl_mem> arguments;
+  std::vector<Argument> arguments;
   for (const Port& port : m_ports) {
+    if (!port.isArgument()) continue;
     const cl_mem memory = port.isImage() ? port.view(m_frame, m_output).memory
                           : port.exists  ? m_buffers.at(port.name)()
                                          : nullptr;
-    arguments.push_back(memory);
+    arguments.push_back({memory, false});
   }
   std::vector<cl::Event> events;
   const auto enqueue = [&](const cl::Kernel& kernel, const cl::NDRange& range, const cl::NDRange& local) {
