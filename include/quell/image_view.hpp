@@ -36,8 +36,9 @@ enum class Sum : std::uint8_t {
 /// components are read or written. A view without `channels` stands for an absent optional image.
 ///
 /// Image objects hold floats, halves or normalised 8- or 16-bit integers, which OpenCL converts, those of object ids also
-/// integers of 8, 16 or 32 bits; they may be larger than the frame, which is read from and written to their corner at (0, 0). Inputs are copied into buffers first, outputs
-/// written directly; images shared with another API have to be acquired by the caller.
+/// integers of 8, 16 or 32 bits; they may be larger than the frame, which is read from and written to their corner at
+/// (0, 0). Inputs are copied into buffers first, outputs written directly; images shared with another API have to be
+/// acquired by the caller.
 struct ImageView {
   cl_mem memory = nullptr;  ///< buffer or image object on the denoiser's context; not retained
   ComponentFormat format = ComponentFormat::Float32;
