@@ -47,8 +47,7 @@ class QUELL_API Settings {
   void set(const std::string& name, const std::string& text);
 
   /// Sets what `preset` has a value for: "default" everything; "paper" what the method's paper says where the default
-  /// is something else (svgf; the other methods' defaults are their papers'). Throws
-  /// Error(UnknownSetting) for another name.
+  /// is something else (svgf, bmfr; the others stay as they are). Throws Error(UnknownSetting) for another name.
   void usePreset(const std::string& preset);
 
   double get(const std::string& name) const;        ///< throws Error(UnknownSetting); 0 for Text
