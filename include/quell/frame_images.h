@@ -40,12 +40,11 @@
      or viewDepth. */                                                                                                  \
   IMAGE(positionWorld, POSITIONWORLD, 3, 4, VALUES, OPTIONAL,                                                          \
         ("world_position", "RGB", FLOAT, "position"),                                                                  \
-        ("`viewDepth`; never both", "world, scene units", "below 1e18 from the camera", "pixel passes through"))       \
+        ("`viewDepth`", "world, scene units", "below 1e18 from the camera", "pixel passes through"))                   \
   /* Depth along the view axis; perspective cameras only. */                                                           \
   IMAGE(viewDepth, VIEWDEPTH, 1, 1, VALUES, OPTIONAL,                                                                  \
         ("", "Y", FLOAT, "depth"),                                                                                     \
-        ("`positionWorld`; never both", "along the view axis, scene units; perspective",                               \
-         "positive in front", "pixel passes through"))                                                                 \
+        ("`positionWorld`", "along the view axis, scene units", "positive in front", "pixel passes through"))          \
   /* Diffuse albedo. Light is divided by 0.01 to 2 in a channel; what becomes of channels below says README.md. */     \
   IMAGE(albedo, ALBEDO, 1, 4, VALUES, OPTIONAL,                                                                        \
         ("albedo", "RGB", HALF, "albedo"),                                                                             \
