@@ -115,8 +115,8 @@ quell_status quellReplay(const char* directory, cl_context context, cl_device_id
     static thread_local std::string text;
     quell_replay all{0, 1, 0, 0, nullptr};
     std::string lines;
-    const std::optional<std::string> cache =
-        cacheDirectory == nullptr ? std::nullopt : std::optional<std::string>(cacheDirectory);
+    std::optional<std::string> cache;
+    if (cacheDirectory != nullptr) cache = cacheDirectory;
     for (const quell::Replay& one : quell::replay(directory, context, device, queue, cache)) {
       lines += quell::toText(one);
       all.equal = all.equal != 0 && one.equal() ? 1 : 0;
