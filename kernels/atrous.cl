@@ -6,11 +6,12 @@
 //          depth and, with ROUGHNESS_STOP, roughness; with STOP_LUMINANCE the luminance that the stops compare (1 plane per
 //          signal; see variance.cl), with TAP_WEIGHTS the weights of pixels, instead of those of the guides: once filtered
 //          a firefly is one no more, and may count again.
-// Out:     irradiance and, with FILTER_VARIANCE, variance, filtered; that is 0 in background next to surfaces.
+// Out:     irradiance and, with VARIANCE and where the params ask for it, variance, filtered; that is 0 in background next
+//          to surfaces.
 // Signals: share the penalties of the surface; each has its own weight, luminance and variance. The roughness stop is
 //          for the glossy signal, or for the only one.
 // Taps:    5x5, or with TAP_RADIUS 1 3x3 with a linear spline: a third of the work, and as wide after one more iteration.
-//          With TAP_CORNERS 0 without the four corners, which have the least weight.
+//          Where the params say so without the four corners, which have the least weight.
 // Border:  taps outside the image are left out and the weights renormalised. A pixel without a sample takes what its
 //          neighbours have, whatever their luminance.
 // Departures: see common/edge_stops.h; with STOP_LUMINANCE the penalty of luminance is squared.
@@ -43,7 +44,7 @@ QUELL_INLINE FilterSums addFiltered(FilterSums sums, float3L irradiance, floatL 
   sums.irradiance.x += irradiance.x * weight;
   sums.irradiance.y += irradiance.y * weight;
   sums.irradiance.z += irradiance.z * weight;
-#if FILTER_VARIANCE
+#if VARIANCE
   sums.variance += weight * weight * variance;
 #endif
   sums.weight += weight;
@@ -126,7 +127,7 @@ QUELL_INLINE void addTap(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, Fi
 #endif
     const floatL weight =
         weightOfPenalty(signalPenalty) * (spline * loadLanes(from.weights + s * stride + index));
-#if FILTER_VARIANCE
+#if VARIANCE
     const floatL variance = loadLanes(from.variance + s * stride + index);
 #else
     const floatL variance = ZERO_LANES;
@@ -135,21 +136,36 @@ QUELL_INLINE void addTap(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, Fi
   }
 }
 
-// Adds the taps of one row. `atBorder` is constant, so that the inside of the image pays nothing for it.
-QUELL_INLINE void addTapRow(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, FilterPlanes from,
-                            AtrousParams params, int x, int y, int tapY, int atBorder) {
+// Adds the tap (tapX, tapY), if it is one. `atBorder` is constant, so that the inside of the image pays nothing for it.
+QUELL_INLINE void addTapIfAny(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, FilterPlanes from,
+                              AtrousParams params, int x, int y, int tapX, int tapY, int atBorder) {
   const PlaneParams planes = params.planes;
+  const int column = x + tapX * params.step;
   const int row = y + tapY * params.step;
+  if (tapX == 0 && tapY == 0) return;
+  if (isCorner(tapX, tapY) && !params.corners) return;
   if (atBorder && (row < 0 || row >= planes.height)) return;
+  if (atBorder && (column + QUELL_LANES <= 0 || column >= planes.width)) return;
+  const intL inside = atBorder ? insideColumns(planes, column + LANE_INDEX) : TRUE_LANES;
+  addTap(sums, centre, from, params, tapX, tapY, planeIndex(planes, column, row), inside);
+}
+
+// Adds the taps of one row. Written out: every weight and offset of a tap is then a constant.
+QUELL_INLINE void addTapRow(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, FilterPlanes from,
+                            AtrousParams params, int x, int y, int tapY) {
 #pragma unroll
-  for (int tapX = -TAP_RADIUS; tapX <= TAP_RADIUS; ++tapX) {
-    if (tapX == 0 && tapY == 0) continue;
-    if (!TAP_CORNERS && isCorner(tapX, tapY)) continue;
-    const int column = x + tapX * params.step;
-    if (atBorder && (column + QUELL_LANES <= 0 || column >= planes.width)) continue;
-    const intL inside =
-        atBorder ? column + LANE_INDEX >= 0 && column + LANE_INDEX < planes.width : TRUE_LANES;
-    addTap(sums, centre, from, params, tapX, tapY, planeIndex(planes, column, row), inside);
+  for (int tapX = -TAP_RADIUS; tapX <= TAP_RADIUS; ++tapX)
+    addTapIfAny(sums, centre, from, params, x, y, tapX, tapY, 0);
+}
+
+// Adds all taps at the border, where few pixels are: written out they would be long to compile.
+QUELL_INLINE void addTapsAtBorder(FilterSums sums[QUELL_SIGNALS], FilterCentre centre, FilterPlanes from,
+                                  AtrousParams params, int x, int y) {
+#pragma unroll 1
+  for (int tapY = -TAP_RADIUS; tapY <= TAP_RADIUS; ++tapY) {
+#pragma unroll 1
+    for (int tapX = -TAP_RADIUS; tapX <= TAP_RADIUS; ++tapX)
+      addTapIfAny(sums, centre, from, params, x, y, tapX, tapY, 1);
   }
 }
 
@@ -163,7 +179,7 @@ QUELL_INLINE floatL sharpening(floatL roughness, AtrousParams params) {
 __kernel void atrous(STAGE_ARGUMENTS(ATROUS) AtrousParams params) {
   BEGIN_PIXELS(params.planes);
   // The prefilter of the variance reads background next to surfaces, in both buffers that iterations write by turns.
-  LEAVE_OUT_BACKGROUND(if (FILTER_VARIANCE && params.iteration <= 2)
+  LEAVE_OUT_BACKGROUND(if (VARIANCE && params.filtersVariance && params.iteration <= 2)
                            ZERO_NEXT_TO_SURFACES(filteredVariance, QUELL_SIGNALS))
 #if TAP_WEIGHTS
   __global const float* weights = tapWeights;
@@ -198,26 +214,25 @@ __kernel void atrous(STAGE_ARGUMENTS(ATROUS) AtrousParams params) {
     sums[s] = addFiltered(sums[s], value, ownVariance, splineWeight(0) * splineWeight(0) * weight);
   }
   if (atBorder) {
-    for (int tapY = -TAP_RADIUS; tapY <= TAP_RADIUS; ++tapY)
-      addTapRow(sums, centre, from, params, x, y, tapY, 1);
+    addTapsAtBorder(sums, centre, from, params, x, y);
   } else {
-    // Written out: every weight and offset of a tap is then a constant.
     // In the order of the border, so that sums do not depend on where a group of lanes ends.
 #if TAP_RADIUS == 2
-    addTapRow(sums, centre, from, params, x, y, -2, 0);
+    addTapRow(sums, centre, from, params, x, y, -2);
 #endif
-    addTapRow(sums, centre, from, params, x, y, -1, 0);
-    addTapRow(sums, centre, from, params, x, y, 0, 0);
-    addTapRow(sums, centre, from, params, x, y, 1, 0);
+    addTapRow(sums, centre, from, params, x, y, -1);
+    addTapRow(sums, centre, from, params, x, y, 0);
+    addTapRow(sums, centre, from, params, x, y, 1);
 #if TAP_RADIUS == 2
-    addTapRow(sums, centre, from, params, x, y, 2, 0);
+    addTapRow(sums, centre, from, params, x, y, 2);
 #endif
   }
   for (int s = 0; s < QUELL_SIGNALS; ++s) {
     const floatL inverse = sums[s].weight > QUELL_LEAST_WEIGHT_SUM ? 1.0f / sums[s].weight : ZERO_LANES;
     storeLanes3(scale3(sums[s].irradiance, inverse), filteredIrradiance + 3 * s * stride, index, stride);
-#if FILTER_VARIANCE
-    storeLanes(sums[s].variance * inverse * inverse, filteredVariance + s * stride + index);
+#if VARIANCE
+    if (params.filtersVariance)
+      storeLanes(sums[s].variance * inverse * inverse, filteredVariance + s * stride + index);
 #endif
   }
 }

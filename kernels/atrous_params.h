@@ -16,6 +16,8 @@ typedef struct AtrousParams {
   QuellFloat inverseSharpRoughness;  // 1 / that roughness
   QuellInt step;                     // pixels between taps
   QuellInt iteration;                // from 1 on; only with SKIP
+  QuellInt corners;                  // 1: all taps, 0: without the four corners
+  QuellInt filtersVariance;          // 1: variance is written, too; only with VARIANCE
 } AtrousParams;
 
 QUELL_NAMESPACE_END

@@ -8,8 +8,8 @@
 
 // clang-format off
 #define ATROUS_OPTIONS(OPTION, SIZE)                                                                                           \
-  OPTION(QUELL_SIGNALS) OPTION(VARIANCE) OPTION(STOP_LUMINANCE) OPTION(FILTER_VARIANCE) OPTION(TAP_WEIGHTS) OPTION(ROUGHNESS_STOP) OPTION(TAP_RADIUS) OPTION(TAP_CORNERS) \
-  OPTION(SKIP) SIZE(surfaceItems)
+  OPTION(QUELL_SIGNALS) OPTION(VARIANCE) OPTION(STOP_LUMINANCE) OPTION(TAP_WEIGHTS) OPTION(ROUGHNESS_STOP) OPTION(TAP_RADIUS) \
+  OPTION(SKIP) SIZE(surfaceItems) SIZE(filtersVariance)
 
 #define ATROUS_PORTS(PORT, IMAGE, OUTPUT)                                                                                  \
   PORT(irradiance,         READ,  FLOAT, 3 * QUELL_SIGNALS,                    ALL,                       ALWAYS)          \
@@ -20,7 +20,7 @@
   PORT(roughness,          READ,  FLOAT, 1,                                    ALL,                       ROUGHNESS_STOP)  \
   PORT(stopLuminance,      READ,  FLOAT, QUELL_SIGNALS,                        ALL,                       STOP_LUMINANCE)        \
   PORT(filteredIrradiance, WRITE, FLOAT, 3 * QUELL_SIGNALS,                    ALL,                       ALWAYS)          \
-  PORT(filteredVariance,   WRITE, FLOAT, QUELL_SIGNALS,                        ALL,                       FILTER_VARIANCE) \
+  PORT(filteredVariance,   WRITE, FLOAT, QUELL_SIGNALS,                        PLANES(filtersVariance * QUELL_SIGNALS), VARIANCE) \
   SURFACES_PORT(PORT)
 // clang-format on
 

@@ -14,10 +14,9 @@ Atrous::Atrous(const Configuration& configuration, const Setup& setup) : m_setup
   VARIANCE = setup.variance ? 1 : 0;
   STOP_LUMINANCE = setup.stopLuminance ? 1 : 0;
   TAP_WEIGHTS = setup.tapWeights ? 1 : 0;
-  FILTER_VARIANCE = setup.filterVariance ? 1 : 0;
   ROUGHNESS_STOP = configuration.frame.roughness.present() && readsRoughness ? 1 : 0;
   TAP_RADIUS = setup.radius;
-  TAP_CORNERS = setup.corners ? 1 : 0;
+  filtersVariance = setup.variance && setup.filterVariance ? 1 : 0;
   setSkipOptions<AtrousOptions>(*this, configuration, setup.skip);
 }
 
@@ -29,6 +28,8 @@ AtrousParams Atrous::params(const FrameRun& run) const {
   params.inverseStep = 1.0f / static_cast<float>(step());
   params.step = step();
   params.iteration = m_setup.iteration;
+  params.corners = m_setup.corners ? 1 : 0;
+  params.filtersVariance = filtersVariance != 0 ? 1 : 0;
   if (m_setup.sharpRoughness > 0.0) {
     params.sharpening = 1.0f;
     params.inverseSharpRoughness = static_cast<float>(1.0 / m_setup.sharpRoughness);

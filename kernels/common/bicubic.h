@@ -60,12 +60,35 @@ QUELL_INLINE float3L addBicubicTaps(__global const float* from, PlaneParams plan
   return scale3(sum, 1.0f / weightSum);
 }
 
+// The same for taps in any place. Few pixels come here, and written out it is long to compile.
+QUELL_INLINE float3L addScatteredTaps(__global const float* from, PlaneParams planes, BicubicTaps taps) {
+  floatL sums[3] = {ZERO_LANES, ZERO_LANES, ZERO_LANES};
+  floatL weightSum = ZERO_LANES;
+#pragma unroll 1
+  for (int row = 0; row < 4; ++row) {
+    const int outer = row == 1 || row == 2;
+#pragma unroll 1
+    for (int column = 1 - outer; column < 3 + outer; ++column) {
+      const floatL weight = taps.weightX[column] * taps.weightY[row];
+      __global const float* tap = from + (row - 1) * planes.pitch + column - 1;
+      weightSum += weight;
+#pragma unroll 1
+      for (int c = 0; c < 3; ++c) {
+        // In two steps, as addBicubicRow() has them: the same bits.
+        const floatL weighted = gatherLanes(tap + c * planes.stride, taps.plan) * weight;
+        sums[c] += weighted;
+      }
+    }
+  }
+  const float3L sum = {sums[0], sums[1], sums[2]};
+  return scale3(sum, 1.0f / weightSum);
+}
+
 // The three planes `from` at the taps. May be below 0 and above all values around: whoever asks clamps it.
 QUELL_INLINE float3L sampleBicubic(__global const float* from, PlaneParams planes, BicubicTaps taps) {
-  if (onPixels(taps)) return gatherLanes3(from, taps.plan, planes.stride);
-  BicubicTaps inOneRun = taps;
-  inOneRun.plan = oneRun(taps.plan);
-  return isOneRun(taps.plan) ? addBicubicTaps(from, planes, inOneRun) : addBicubicTaps(from, planes, taps);
+  if (!isOneRun(taps.plan)) return addScatteredTaps(from, planes, taps);
+  taps.plan = oneRun(taps.plan);
+  return onPixels(taps) ? gatherLanes3(from, taps.plan, planes.stride) : addBicubicTaps(from, planes, taps);
 }
 
 #endif

@@ -40,10 +40,11 @@ QUELL_INLINE intL findEmitters(FrameImages images, PlaneParams planes, Signal si
   const intL candidate =
       signal.weak == QUELL_ALL_WEAK && anyChannel(signal.value) && x + LANE_INDEX < planes.width;
   if (!anyLane(candidate)) return (intL)(0);
-  floatL count = isAlike(images, planes, signal.value, x, y, -1, 0);
-  count += isAlike(images, planes, signal.value, x, y, 1, 0);
-  count += isAlike(images, planes, signal.value, x, y, 0, -1);
-  count += isAlike(images, planes, signal.value, x, y, 0, 1);
+  floatL count = ZERO_LANES;
+  // The nearest four: left, above, below, right. Written out they are long to compile.
+#pragma unroll 1
+  for (int i = 0; i < 4; ++i)
+    count += isAlike(images, planes, signal.value, x, y, i / 2 + i % 2 - 1, i / 2 - i % 2);
   return candidate && count >= (float)QUELL_NOISELESS_NEIGHBOURS;
 #else
   return (intL)(0);

@@ -22,7 +22,8 @@ StageSetup makeAtrousSetup(const CaseOptions& options, const AtrousVariant& vari
 }  // namespace
 
 AtrousCase::AtrousCase(const CaseOptions& options, const AtrousVariant& variant)
-    : StageCase("atrous", makeAtrousSetup(options, variant)) {
+    : StageCase("atrous", makeAtrousSetup(options, variant)),
+      m_filtersVariance(variant.variance && variant.iteration < kIterations) {
   const Settings& settings = m_harness.configuration().settings;
   const int signals = variant.images.signals;
   inputs.guides = randomGuides(variant.images, options);

@@ -45,7 +45,7 @@ namespace {
   X("common/reprojection_params.h", ReprojectionParams, historyValid)                  \
   X("accumulate_filtered_params.h", AccumulateFilteredParams, leastWeight)             \
   X("accumulate_noisy_params.h", AccumulateNoisyParams, antialiasBackground)           \
-  X("atrous_params.h", AtrousParams, iteration)                                        \
+  X("atrous_params.h", AtrousParams, filtersVariance)                                  \
   X("background_params.h", BackgroundParams, finish)                                   \
   X("change_params.h", ChangeParams, momentsLeastWeight)                               \
   X("demodulate_params.h", DemodulateParams, images)                                   \
