@@ -50,11 +50,11 @@ inline SettingTable<QuellSettings> quellSettings() {
   table.add("changeMemory", &S::changeMemory, 0.4, {0.0, 0.99},
             "share of the frame before in the differences that are tested", sweep);
   addIterations(table, &S::iterations, 0);
-  table.add("prefilteredIterations", &S::prefilteredIterations, 2, {0, 7},
+  table.add("prefilteredIterations", &S::prefilteredIterations, 1, {0, 7},
             "first iterations whose stop compares luminance over 3x3 pixels instead of one, with a Gaussian "
             "fall-off",
             sweep);
-  table.add("prefilteredSigma", &S::prefilteredSigma, 2.5, {0.01, 1e3, "standard deviations of the mean"},
+  table.add("prefilteredSigma", &S::prefilteredSigma, 1.5, {0.01, 1e3, "standard deviations of the mean"},
             "difference in luminance over 3x3 pixels at which a tap's weight falls to 1/e", sweep);
   table.add("luminanceSigma", &S::luminanceSigma, 4.0, {0.01, 1e3, "standard deviations of the mean"},
             "difference in luminance at which a tap's weight falls to 1/e", sweep);
