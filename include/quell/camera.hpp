@@ -42,6 +42,7 @@ enum class MatrixOrder {
 
 /// The 16 numbers of a matrix in this order.
 QUELL_API Matrix4 toMatrix4(const float* numbers, MatrixOrder order);
+/// The same of doubles.
 QUELL_API Matrix4 toMatrix4(const double* numbers, MatrixOrder order);
 
 /// world to clip = (view to clip) * (world to view).

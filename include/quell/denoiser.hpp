@@ -20,8 +20,9 @@
 
 namespace quell {
 
+/// Whether and how frames are timed.
 enum class TimerMode {
-  Off,
+  Off,     ///< not at all
   Device,  ///< needs a queue with CL_QUEUE_PROFILING_ENABLE; falls back to Host where events carry no times
   Host,    ///< completion callbacks
 };
@@ -30,15 +31,16 @@ enum class TimerMode {
 enum class Mapping {
   Automatic,  ///< as measured by `quell tune-device`, else Wide on CPU devices, Narrow elsewhere
   Narrow,     ///< one pixel a work-item
-  Wide,   ///< as many pixels of a row a work-item as fill the device's native vector of floats: 4, 8 or 16
-  Wide4,  ///< four of them, whatever the device
-  Wide8,
-  Wide16,
+  Wide,    ///< as many pixels of a row a work-item as fill the device's native vector of floats: 4, 8 or 16
+  Wide4,   ///< four of them, whatever the device
+  Wide8,   ///< eight of them
+  Wide16,  ///< sixteen of them
 };
 
+/// What a denoiser is made with, for good. The defaults suit a renderer.
 struct Options {
-  TimerMode timers = TimerMode::Off;
-  Mapping mapping = Mapping::Automatic;
+  TimerMode timers = TimerMode::Off;     ///< for timings(); costs an event a kernel
+  Mapping mapping = Mapping::Automatic;  ///< results are the same bit for bit on one device, whichever
   /// Work-group of the per-pixel kernels, work-items in x and y; 0: as measured by `quell tune-device`,
   /// else chosen from what device and kernel allow.
   std::array<int, 2> workGroup{0, 0};
@@ -65,13 +67,17 @@ struct Options {
 class QUELL_API Event {
  public:
   Event() = default;
+  /// Takes over a reference; null is allowed.
   explicit Event(cl_event owned) : m_event(owned) {}
+  /// Leaves null behind.
   Event(Event&& other) noexcept : m_event(other.release()) {}
+  /// Lets go of the own reference and takes over the other one.
   Event& operator=(Event&& other) noexcept;
   Event(const Event&) = delete;
   Event& operator=(const Event&) = delete;
   ~Event();
 
+  /// The event, which stays owned; null if there is none.
   cl_event get() const { return m_event; }
   /// Hands the reference over, for example to cl::Event(event.release()).
   cl_event release() {
@@ -88,12 +94,13 @@ class QUELL_API Event {
 
 /// Device memory held by a denoiser.
 struct MemoryUse {
-  std::size_t totalBytes = 0;
+  std::size_t totalBytes = 0;  ///< of all buffers
+  /// Memory of one buffer, or of several by turns.
   struct Buffer {
-    std::string name;  ///< buffers that share memory are named together
-    std::size_t bytes = 0;
+    std::string name;       ///< buffers that share memory are named together
+    std::size_t bytes = 0;  ///< on the device
   };
-  std::vector<Buffer> buffers;
+  std::vector<Buffer> buffers;  ///< in the order in which a frame touches them first
 };
 
 /// Whether a method reads an image, with given settings.
@@ -103,9 +110,10 @@ enum class InputUse {
   Required,
 };
 
+/// What a method does with one image of Frame.
 struct InputNeed {
-  std::string image;  ///< the member of Frame
-  InputUse use = InputUse::Unused;
+  std::string image;                ///< the member of Frame
+  InputUse use = InputUse::Unused;  ///< with the settings that were asked about
   std::string
       without;  ///< what counts without it; of positionWorld and viewDepth, of which one is required, the other
 };
@@ -116,7 +124,7 @@ QUELL_API std::vector<InputNeed> inputNeeds(const Settings& settings);
 /// An intermediate buffer as the latest frame has left it: where a stage leaves out background or has no history, that
 /// may be older values. Bytes, halves and integers are converted to floats; integers beyond 2^24 are rounded.
 struct BufferContent {
-  std::string name;
+  std::string name;           ///< as Denoiser::bufferNames() has it
   int width = 0;              ///< pixels; of buffers that are not images the number of elements
   int height = 0;             ///< pixels; of buffers that are not images 1
   int planes = 0;             ///< of buffers that are not images 1
@@ -125,7 +133,7 @@ struct BufferContent {
 
 /// What the latest frame left out because it is background (setting `skip`).
 struct BackgroundMap {
-  int itemWidth = 0;                     ///< pixels of a row that one work-item takes, 1 or 16
+  int itemWidth = 0;                     ///< pixels of a row that one work-item takes: 1, 4, 8 or 16
   int columns = 0;                       ///< work-items across
   int rows = 0;                          ///< work-items down, one a row of pixels
   std::vector<std::uint8_t> background;  ///< row by row; 1: all pixels of the work-item are background
@@ -146,17 +154,18 @@ struct CaptureState {
 struct PrepareProgress {
   std::string stage;  ///< what has been built or launched last, by its label
   int done = 0;       ///< steps, each a kernel that is built or launched for the first time
-  int total = 0;
+  int total = 0;      ///< steps in all, two a stage
 };
 /// Called on the thread that prepares; may call Denoiser::cancelPrepare() and nothing else of that denoiser.
 using PrepareCallback = std::function<void(const PrepareProgress&)>;
 
+/// How to prepare. By default the history starts afresh.
 struct PrepareOptions {
   /// Keeps the history where the method has the same buffers as before; after a change of size it is resampled, each pixel
   /// from the nearest one. What cannot be kept starts afresh. Old and new buffers exist together for a while.
   bool keepHistory = false;
   std::optional<Settings> settings = {};  ///< of the same method, instead of those before
-  PrepareCallback progress = {};
+  PrepareCallback progress = {};          ///< what it throws ends the preparation, which throws it on
 };
 
 /// Where the machine code of a stage would come from.
@@ -165,9 +174,11 @@ enum class KernelState {
   Cached,   ///< on disk, or in this process
   Built,    ///< by this denoiser
 };
+/// The kernels of one stage; see Denoiser::kernelStates().
 struct StageKernel {
   std::string stage;  ///< by its label
-  KernelState state = KernelState::Missing;
+  KernelState state =
+      KernelState::Missing;  ///< of that kernel of the stage which is furthest from being built
 };
 
 /// Denoises a sequence of frames. One object serves one sequence on one queue at a time; it may be used from several
@@ -187,14 +198,16 @@ class QUELL_API Denoiser {
            const Settings& settings = Settings(), const Options& options = {})
       : Denoiser(context(), device(), queue(), settings, options) {}
 
+  /// What was moved from may only be destroyed or assigned to.
   Denoiser(Denoiser&&) noexcept;
+  /// Destroys what this one was, which is safe while frames are pending.
   Denoiser& operator=(Denoiser&&) noexcept;
   ~Denoiser();
 
   /// Builds every kernel for the layouts of these images, allocates all memory and launches every kernel once
   /// at its final work-group size, so that no frame pays for it. Blocks. The images' memory may be null here:
-  /// only layouts count; of image objects that are given the formats are checked. May be called again with another size or layout; the history is reset. If it throws,
-  /// the denoiser is as if never prepared.
+  /// only layouts count; of image objects that are given the formats are checked. May be called again with another size or
+  /// layout; the history is reset. If it throws, the denoiser is as if never prepared.
   void prepare(const Frame& frame, const Output& output, const PrepareOptions& options = {});
 
   /// The same on a thread of the denoiser's own; returns at once. Until isReady() denoise() throws Error(NotPrepared), and
@@ -259,8 +272,10 @@ class QUELL_API Denoiser {
 
   /// Times of all frames that have finished so far; never waits for more. Empty if timers are off.
   Timings timings();
+  /// Starts the statistics afresh; frames that are pending still count.
   void clearTimings();
 
+  /// The values that the next frame takes. The reference lives as long as the denoiser and shows later changes.
   const Settings& settings() const;
 
  private:

@@ -36,13 +36,14 @@ struct ErrorDetails {
 /// Thrown by every function of Quell that can fail. what() is one sentence made of all the fields.
 class QUELL_API Error : public std::runtime_error {
  public:
-  Error(ErrorCode code, ErrorDetails details);
+  Error(ErrorCode code, ErrorDetails details);  ///< makes the sentence of what()
 
-  ErrorCode code() const noexcept { return m_code; }
+  ErrorCode code() const noexcept { return m_code; }  ///< what kind of thing went wrong
+  /// ErrorDetails::stage; all texts live as long as the exception.
   const std::string& stage() const noexcept { return m_details.stage; }
-  const std::string& buffer() const noexcept { return m_details.buffer; }
-  const std::string& expected() const noexcept { return m_details.expected; }
-  const std::string& got() const noexcept { return m_details.got; }
+  const std::string& buffer() const noexcept { return m_details.buffer; }      ///< ErrorDetails::buffer
+  const std::string& expected() const noexcept { return m_details.expected; }  ///< ErrorDetails::expected
+  const std::string& got() const noexcept { return m_details.got; }            ///< ErrorDetails::got
 
  private:
   ErrorCode m_code;

@@ -25,8 +25,8 @@ enum class DepthKind {
 /// A pixel with NaN or Inf in radiance or emission is a missing sample: it keeps its history or is filled
 /// from its surroundings. A pixel whose position or normal is not finite passes through unfiltered.
 struct Frame {
-  Size size;  ///< pixels, as prepared
-  Camera camera;
+  Size size;      ///< pixels, as prepared
+  Camera camera;  ///< of this frame and the one before; `motion` replaces what follows from it for what moves
 
 #define QUELL_VIEW(name, ...) ImageView name;
   /// What each holds, and which are optional, stands in frame_images.h.
@@ -36,7 +36,7 @@ struct Frame {
   /// not included.
   bool demodulated = false;
 
-  DepthKind depthKind = DepthKind::View;
+  DepthKind depthKind = DepthKind::View;  ///< of `viewDepth`; of no meaning where that is absent
   /// Planes between which the depth buffers are spread out, scene units, 0 < near < far.
   double depthNear = 0.0;
   double depthFar = std::numeric_limits<double>::infinity();  ///< infinite: DepthKind::Reversed only

@@ -10,15 +10,18 @@ namespace quell {
 
 /// Pixel extent, both >= 1.
 struct Size {
-  int width = 0;
-  int height = 0;
+  int width = 0;   ///< pixels across
+  int height = 0;  ///< pixels down
 };
 
+/// Whether both extents are the same.
 inline bool operator==(Size a, Size b) { return a.width == b.width && a.height == b.height; }
+/// Whether one of them is not.
 inline bool operator!=(Size a, Size b) { return !(a == b); }
 
+/// What the components of an image are in memory.
 enum class ComponentFormat : std::uint8_t {
-  Float32,
+  Float32,      ///< IEEE single
   Float16,      ///< IEEE half
   UInt32,       ///< 32-bit unsigned integers, for object ids only
   ImageObject,  ///< `memory` is an OpenCL image of two dimensions, not a buffer
@@ -41,9 +44,9 @@ enum class Sum : std::uint8_t {
 /// acquired by the caller.
 struct ImageView {
   cl_mem memory = nullptr;  ///< buffer or image object on the denoiser's context; not retained
-  ComponentFormat format = ComponentFormat::Float32;
-  Sum sum = Sum::None;          ///< inputs only, but object ids
-  int channels = 0;             ///< components used per pixel, 1 to 4; 0: absent
+  ComponentFormat format = ComponentFormat::Float32;  ///< ImageObject: the image knows its own
+  Sum sum = Sum::None;                                ///< inputs only, but object ids
+  int channels = 0;                                   ///< components used per pixel, 1 to 4; 0: absent
   std::size_t offsetBytes = 0;  ///< of pixel (0, 0); a multiple of the component size; 0 for image objects
   /// From one pixel to the next; 0: packed. Of image objects, which know it themselves, 0.
   std::size_t pixelStrideBytes = 0;
@@ -51,12 +54,17 @@ struct ImageView {
   /// (0, 0) begins the last row of the memory; bottomUp() sets both. Of image objects 0, or negative for bottom-up.
   std::ptrdiff_t rowPitchBytes = 0;
 
+  /// Whether there is such an image.
   bool present() const { return channels != 0; }
+  /// Whether `memory` is an OpenCL image instead of a buffer.
   bool isImageObject() const { return format == ComponentFormat::ImageObject; }
+  /// Bytes of a component in a buffer, 2 or 4; of no meaning for image objects, as all that follow.
   std::size_t componentBytes() const { return format == ComponentFormat::Float16 ? 2 : 4; }
+  /// Bytes from one pixel to the next, `pixelStrideBytes` or what packed pixels take.
   std::size_t pixelStride() const {
     return pixelStrideBytes != 0 ? pixelStrideBytes : componentBytes() * static_cast<std::size_t>(channels);
   }
+  /// Bytes from one row to the next below it in an image of that many pixels across; negative for bottom-up rows.
   std::ptrdiff_t rowPitch(int width) const {
     return rowPitchBytes != 0 ? rowPitchBytes
                               : static_cast<std::ptrdiff_t>(pixelStride() * static_cast<std::size_t>(width));

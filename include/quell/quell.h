@@ -23,6 +23,7 @@
 
 QUELL_C_API_BEGIN
 
+/* Sets structSize and makes all else of a struct zero, before every use of one that has it. */
 #define QUELL_INIT(object)                \
   do {                                    \
     memset(&(object), 0, sizeof(object)); \
@@ -31,9 +32,10 @@ QUELL_C_API_BEGIN
 
 /* --- Status and errors ------------------------------------------------------------------------------------------ */
 
+/* What a function returns; QUELL_SUCCESS, or what kind of thing went wrong. */
 typedef int32_t quell_status;
 enum {
-  QUELL_SUCCESS = 0,
+  QUELL_SUCCESS = 0,          /* all went well */
   QUELL_INVALID_ARGUMENT = 1, /* a value, size, layout or handle was refused before anything was launched */
   QUELL_UNKNOWN_SETTING = 2,  /* a method or setting name that does not exist */
   QUELL_OUT_OF_RANGE = 3,     /* a setting, or a camera for half positions, outside its documented range */
@@ -50,13 +52,13 @@ enum {
 /* Where the latest failure on this thread happened and how reality differed from what was expected. Texts are never
  * NULL and live until the next failure on this thread. */
 typedef struct quell_error {
-  size_t structSize;
-  quell_status status;
+  size_t structSize;    /* set by QUELL_INIT */
+  quell_status status;  /* what the function returned */
   const char* message;  /* one sentence made of all the others */
   const char* stage;    /* the stage or function that refused */
   const char* buffer;   /* the image, setting or argument concerned; may be empty */
   const char* expected; /* with unit */
-  const char* got;
+  const char* got;      /* what came instead */
 } quell_error;
 
 /* The library's version, for example "0.1.0". */
@@ -72,28 +74,30 @@ quell_status quellGetLastError(quell_error* error);
 
 #define QUELL_TEXT_LENGTH 256 /* of texts in structs, final zero included; longer ones are cut off */
 
+/* A device as its runtime describes it. */
 typedef struct quell_device_info {
-  size_t structSize;
-  cl_platform_id platform;
-  cl_device_id device;
-  int index; /* over all platforms, in the order of enumeration */
-  char platformName[QUELL_TEXT_LENGTH];
-  char name[QUELL_TEXT_LENGTH];
-  char vendor[QUELL_TEXT_LENGTH];
-  char version[QUELL_TEXT_LENGTH]; /* OpenCL version text of the device */
-  char driverVersion[QUELL_TEXT_LENGTH];
-  char type[QUELL_TEXT_LENGTH]; /* "GPU", "CPU", "accelerator" or "other" */
-  unsigned computeUnits;
-  size_t localMemoryBytes; /* per work-group */
-  size_t globalMemoryBytes;
-  size_t maxWorkGroup; /* work-items */
-  int images;          /* 0 or 1, as the next two */
-  int halfArithmetic;
-  int profiling;
+  size_t structSize;                     /* set by QUELL_INIT */
+  cl_platform_id platform;               /* whose device it is */
+  cl_device_id device;                   /* needs no release */
+  int index;                             /* over all platforms, in the order of enumeration */
+  char platformName[QUELL_TEXT_LENGTH];  /* CL_PLATFORM_NAME */
+  char name[QUELL_TEXT_LENGTH];          /* CL_DEVICE_NAME */
+  char vendor[QUELL_TEXT_LENGTH];        /* CL_DEVICE_VENDOR */
+  char version[QUELL_TEXT_LENGTH];       /* OpenCL version text of the device */
+  char driverVersion[QUELL_TEXT_LENGTH]; /* CL_DRIVER_VERSION */
+  char type[QUELL_TEXT_LENGTH];          /* "GPU", "CPU", "accelerator" or "other" */
+  unsigned computeUnits;                 /* of a CPU its threads */
+  size_t localMemoryBytes;               /* per work-group */
+  size_t globalMemoryBytes;              /* all there is, not what is free */
+  size_t maxWorkGroup;                   /* work-items */
+  int images;                            /* 1: has OpenCL images; 0: images must be buffers */
+  int halfArithmetic; /* 1: cl_khr_fp16; Quell needs only half storage, which every device has */
+  int profiling;      /* 1: event profiling; times can still turn out to be 0 on some runtimes */
 } quell_device_info;
 
-/* Devices of all platforms. QUELL_NO_DEVICE if there are none, with a message that says what to install. */
+/* How many devices all platforms have. QUELL_NO_DEVICE if there are none, with a message that says what to install. */
 quell_status quellCountDevices(size_t* count);
+/* Device `index`, from 0 to the count - 1; beyond it QUELL_INVALID_ARGUMENT. */
 quell_status quellGetDevice(size_t index, quell_device_info* info);
 /* `spec`: NULL or empty (a GPU if there is one, else an accelerator, else a CPU), an index, or part of a device or
  * platform name. QUELL_NO_DEVICE if none fits. */
@@ -101,39 +105,44 @@ quell_status quellChooseDevice(const char* spec, quell_device_info* info);
 
 /* --- Methods and settings --------------------------------------------------------------------------------------- */
 
+/* A method; see quellGetMethod. */
 typedef struct quell_method_info {
-  size_t structSize;
-  const char* name; /* texts live as long as the program */
-  const char* summary;
-  size_t settingCount;
+  size_t structSize;   /* set by QUELL_INIT */
+  const char* name;    /* texts live as long as the program */
+  const char* summary; /* one line on what it does */
+  size_t settingCount; /* for quellGetSettingInfo */
 } quell_method_info;
 
+/* Which values a setting takes. */
 typedef int32_t quell_setting_kind;
 enum {
-  QUELL_SETTING_REAL = 0,
-  QUELL_SETTING_INTEGER = 1,
-  QUELL_SETTING_BOOLEAN = 2,
-  QUELL_SETTING_CHOICE = 3,
-  QUELL_SETTING_TEXT = 4 /* in a form that `description` explains; has no number */
+  QUELL_SETTING_REAL = 0,    /* numbers from `minimum` to `maximum` */
+  QUELL_SETTING_INTEGER = 1, /* whole numbers from `minimum` to `maximum` */
+  QUELL_SETTING_BOOLEAN = 2, /* 0 or 1, off or on */
+  QUELL_SETTING_CHOICE = 3,  /* a name of quellGetSettingChoice, or its index */
+  QUELL_SETTING_TEXT = 4     /* in a form that `description` explains; has no number */
 };
 
+/* What a setting means and which values it takes. */
 typedef struct quell_setting_info {
-  size_t structSize;
-  const char* name; /* texts live as long as the program */
-  quell_setting_kind kind;
-  double defaultValue; /* of a choice: its index; of a boolean: 0 or 1 */
-  double minimum;
-  double maximum;
-  const char* unit; /* empty: a plain number */
-  const char* description;
+  size_t structSize;       /* set by QUELL_INIT */
+  const char* name;        /* texts live as long as the program */
+  quell_setting_kind kind; /* which values it takes */
+  double defaultValue;     /* of a choice: its index; of a boolean: 0 or 1 */
+  double minimum;          /* smallest accepted value */
+  double maximum;          /* largest accepted value */
+  const char* unit;        /* empty: a plain number */
+  const char* description; /* what it does, in half a sentence */
   const char* source;      /* paper and section, or how the default was found */
   const char* defaultText; /* for QUELL_SETTING_TEXT only, else empty */
   size_t choiceCount;      /* for QUELL_SETTING_CHOICE only, else 0 */
   int hasPaperValue;       /* 1 if the method's paper has a value of its own */
-  double paperValue;
+  double paperValue;       /* that value; of no meaning without */
 } quell_setting_info;
 
+/* How many methods there are. */
 quell_status quellCountMethods(size_t* count);
+/* Method `index`, from 0, the default one, to the count - 1. */
 quell_status quellGetMethod(size_t index, quell_method_info* info);
 /* Of setting `index` of a method, from 0 to settingCount - 1. */
 quell_status quellGetSettingInfo(const char* method, size_t index, quell_setting_info* info);
@@ -145,23 +154,32 @@ typedef struct quell_settings quell_settings;
 
 /* The defaults of a method; NULL: of the default method. */
 quell_status quellCreateSettings(const char* method, quell_settings** settings);
-void quellDestroySettings(quell_settings* settings); /* NULL is allowed */
+/* NULL is allowed. Denoisers have copies of their own. */
+void quellDestroySettings(quell_settings* settings);
 /* Takes numbers, on/off/true/false for booleans, the names of choices, and texts. QUELL_UNKNOWN_SETTING or
  * QUELL_OUT_OF_RANGE leave the old value. */
 quell_status quellSetSetting(quell_settings* settings, const char* name, const char* value);
+/* The same with a number; of a choice its index, of a boolean 0 or 1. QUELL_OUT_OF_RANGE for texts, too. */
 quell_status quellSetSettingNumber(quell_settings* settings, const char* name, double value);
 /* "default", or "paper" for what the method's paper says where the default is something else. */
 quell_status quellUsePreset(quell_settings* settings, const char* preset);
 /* The value as quellSetSetting takes it; the text lives until the next call for the same object. */
 quell_status quellGetSetting(quell_settings* settings, const char* name, const char** value);
+/* The value as a number; of a text 0. */
 quell_status quellGetSettingNumber(const quell_settings* settings, const char* name, double* value);
+/* Whether a method reads an image, with given settings. */
 typedef int32_t quell_input_use;
-enum { QUELL_UNUSED = 0, QUELL_OPTIONAL = 1, QUELL_REQUIRED = 2 };
+enum {
+  QUELL_UNUSED = 0,   /* does not */
+  QUELL_OPTIONAL = 1, /* does where it is there */
+  QUELL_REQUIRED = 2  /* quellPrepare refuses frames without it */
+};
 
+/* What a method does with one image of quell_frame. */
 typedef struct quell_input_need {
-  size_t structSize;
-  const char* image; /* member of quell_frame */
-  quell_input_use use;
+  size_t structSize;   /* set by QUELL_INIT */
+  const char* image;   /* member of quell_frame */
+  quell_input_use use; /* with the settings that were asked about */
   const char* without; /* what counts without it */
 } quell_input_need;
 
@@ -173,9 +191,10 @@ quell_status quellGetSettingsMethod(const quell_settings* settings, const char**
 
 /* --- Images and cameras ----------------------------------------------------------------------------------------- */
 
+/* What the components of an image are in memory. */
 typedef int32_t quell_component_format;
 enum {
-  QUELL_FLOAT32 = 0,
+  QUELL_FLOAT32 = 0, /* IEEE single */
   QUELL_FLOAT16 = 1, /* IEEE half */
   QUELL_UINT32 = 2,  /* 32-bit unsigned integers, for object ids only */
   QUELL_IMAGE_OBJECT =
@@ -195,11 +214,11 @@ enum {
  * float4, planes and interleaved structs are all described by the strides, which of image objects are 0 (see
  * quell/image_view.hpp). This struct does not grow. */
 typedef struct quell_image_view {
-  cl_mem memory; /* of the denoiser's context; not retained */
-  quell_component_format format;
-  int channels;            /* components used per pixel, 1 to 4; 0: absent */
-  size_t offsetBytes;      /* of pixel (0, 0); a multiple of the component size */
-  size_t pixelStrideBytes; /* from one pixel to the next; 0: packed */
+  cl_mem memory;                 /* of the denoiser's context; not retained */
+  quell_component_format format; /* QUELL_IMAGE_OBJECT: the image knows its own */
+  int channels;                  /* components used per pixel, 1 to 4; 0: absent */
+  size_t offsetBytes;            /* of pixel (0, 0); a multiple of the component size */
+  size_t pixelStrideBytes;       /* from one pixel to the next; 0: packed */
   ptrdiff_t
       rowPitchBytes; /* from one row to the next below it; 0: width times the pixel stride; negative: bottom-up */
   quell_sum sum;     /* inputs only */
@@ -207,11 +226,12 @@ typedef struct quell_image_view {
 
 /* This frame's camera and that of the frame before. 4x4 matrices from world to clip space, row-major, for column
  * vectors, unjittered; NDC x right, y up. The previous one may be anything on the first frame after a reset; all zero: that
- * of the frame before, which the denoiser remembers. Jitter of this frame: sample position minus pixel centre, pixels, x right, y down, in [-1, 1]. This struct does not grow. */
+ * of the frame before, which the denoiser remembers. Jitter of this frame: sample position minus pixel centre, pixels, x
+ * right, y down, in [-1, 1]. This struct does not grow. */
 typedef struct quell_camera {
-  double worldToClip[16];
-  double worldToClipPrev[16];
-  double jitterPx[2];
+  double worldToClip[16];     /* of this frame */
+  double worldToClipPrev[16]; /* of the frame before; all zero: the one that the denoiser remembers */
+  double jitterPx[2];         /* of this frame's rays, pixels */
 } quell_camera;
 
 /* How a matrix lies in memory. */
@@ -241,19 +261,19 @@ enum {
       4 /* depth buffer: 1 at the near plane, 0 at the far one, which may be infinitely far */
 };
 
+/* A member an image. */
+#define QUELL_VIEW(name, NAME, least, most, kind, presence, files, texts) quell_image_view name;
 /* Inputs of one frame, read until the event of quellDenoise has completed. What the images hold (units, ranges, NaN)
  * is said in frame_images.h. */
-#define QUELL_VIEW(name, NAME, least, most, kind, presence, files, texts) quell_image_view name;
 typedef struct quell_frame {
-  size_t structSize;
-  int width; /* pixels */
-  int height;
-  quell_camera camera;
-  int demodulated; /* 1: light is divided by albedo and gloss colour already */
-  quell_depth_kind depthKind;
-  double
-      depthNear; /* planes of depth buffers, scene units; far 0: infinitely far, of QUELL_DEPTH_REVERSED only */
-  double depthFar;
+  size_t structSize;          /* set by QUELL_INIT */
+  int width;                  /* pixels across, as prepared */
+  int height;                 /* pixels down */
+  quell_camera camera;        /* of this frame and the one before */
+  int demodulated;            /* 1: light is divided by albedo and gloss colour already */
+  quell_depth_kind depthKind; /* of `viewDepth`; of no meaning where that is absent */
+  double depthNear;           /* of depth buffers: view depth of the near plane, scene units, > 0 */
+  double depthFar;            /* and of the far one; 0: infinitely far, of QUELL_DEPTH_REVERSED only */
   double
       motionScale[2]; /* motion times this is in pixels, x right, y down, previous minus current; both 0: 1 */
   double sampleCount; /* of images with QUELL_OVER_SAMPLE_COUNT; 0: 1 */
@@ -264,7 +284,7 @@ typedef struct quell_frame {
 
 /* Outputs of one frame, either or both. */
 typedef struct quell_output {
-  size_t structSize;
+  size_t structSize; /* set by QUELL_INIT */
   QUELL_OUTPUT_IMAGES(QUELL_VIEW)
 } quell_output;
 #undef QUELL_VIEW
@@ -309,28 +329,31 @@ static inline quell_image_view quellSummed(quell_image_view view, quell_sum sum)
 
 /* --- Denoiser --------------------------------------------------------------------------------------------------- */
 
+/* Whether and how frames are timed. */
 typedef int32_t quell_timer_mode;
 enum {
-  QUELL_TIMERS_OFF = 0,
+  QUELL_TIMERS_OFF = 0, /* not at all */
   QUELL_TIMERS_DEVICE =
       1,                /* needs CL_QUEUE_PROFILING_ENABLE; falls back to host where events carry no times */
   QUELL_TIMERS_HOST = 2 /* completion callbacks */
 };
 
+/* How per-pixel work is spread over work-items; results are the same bit for bit on one device. */
 typedef int32_t quell_mapping;
 enum {
   QUELL_MAPPING_AUTOMATIC = 0, /* wide on CPU devices, narrow elsewhere */
   QUELL_MAPPING_NARROW = 1,    /* one pixel a work-item */
   QUELL_MAPPING_WIDE = 2,      /* as many pixels of a row a work-item as fill the device's native vector */
   QUELL_MAPPING_WIDE_4 = 3,    /* four of them, whatever the device */
-  QUELL_MAPPING_WIDE_8 = 4,
-  QUELL_MAPPING_WIDE_16 = 5
+  QUELL_MAPPING_WIDE_8 = 4,    /* eight of them */
+  QUELL_MAPPING_WIDE_16 = 5    /* sixteen of them */
 };
 
+/* What a denoiser is made with, for good. All zero suits a renderer. */
 typedef struct quell_options {
-  size_t structSize;
-  quell_timer_mode timers;
-  quell_mapping mapping;
+  size_t structSize;          /* set by QUELL_INIT */
+  quell_timer_mode timers;    /* for quellGetTimings; costs an event a kernel */
+  quell_mapping mapping;      /* 0: what suits the device */
   int workGroup[2];           /* of per-pixel kernels, work-items in x and y; 0: chosen */
   int fitGroup;               /* work-items per block of the fit, a power of two up to 256; 0: chosen */
   const char* cacheDirectory; /* of compiled kernels; NULL: the user's, "": none, see quell::Options */
@@ -360,25 +383,28 @@ quell_status quellPrepare(quell_denoiser* denoiser, const quell_frame* frame, co
  * quellCancelPrepare and nothing else of that denoiser. */
 typedef void (*quell_prepare_callback)(const char* stage, int done, int total, void* user);
 
+/* How to prepare; all zero: as quellPrepare does. */
 typedef struct quell_prepare_options {
-  size_t structSize;
+  size_t structSize;               /* set by QUELL_INIT */
   int keepHistory;                 /* 1: what can be kept is, resampled after a change of size */
   const quell_settings* settings;  /* of the same method, instead of those before; may be NULL */
   quell_prepare_callback progress; /* may be NULL */
   void* user;                      /* for `progress` */
 } quell_prepare_options;
 
-/* quellPrepare with options; and on a thread of the denoiser's own, which returns at once: until quellIsReady says 1,
- * quellDenoise returns QUELL_NOT_PREPARED. What building failed with is returned by the next quellIsReady or
- * quellDenoise, once. `options` may be NULL. */
+/* quellPrepare with options, which may be NULL. */
 quell_status quellPrepareWith(quell_denoiser* denoiser, const quell_frame* frame, const quell_output* output,
                               const quell_prepare_options* options);
+/* The same on a thread of the denoiser's own; returns at once: until quellIsReady says 1, quellDenoise returns
+ * QUELL_NOT_PREPARED. What building failed with is returned by the next quellIsReady or quellDenoise, once. */
 quell_status quellPrepareAsync(quell_denoiser* denoiser, const quell_frame* frame, const quell_output* output,
                                const quell_prepare_options* options);
+/* Writes 1 where quellDenoise may be called, else 0; does not block. Fails once with what quellPrepareAsync failed with. */
 quell_status quellIsReady(quell_denoiser* denoiser, int* ready);
 /* Ends a preparation after the kernel that is being compiled, from any thread: it fails with QUELL_NOT_PREPARED. */
 quell_status quellCancelPrepare(quell_denoiser* denoiser);
 
+/* Where the machine code of a stage would come from. */
 typedef int32_t quell_kernel_state;
 enum {
   QUELL_KERNEL_MISSING =
@@ -386,10 +412,11 @@ enum {
   QUELL_KERNEL_CACHED = 1, /* on disk, or in this process */
   QUELL_KERNEL_BUILT = 2   /* by this denoiser */
 };
+/* The kernels of one stage. */
 typedef struct quell_stage_kernel {
-  size_t structSize;
-  const char* stage; /* lives until the next quellGetStageKernel of this denoiser */
-  quell_kernel_state state;
+  size_t structSize;        /* set by QUELL_INIT */
+  const char* stage;        /* lives until the next quellGetStageKernel of this denoiser */
+  quell_kernel_state state; /* of that kernel of the stage which is furthest from being built */
 } quell_stage_kernel;
 /* What quellPrepare would have to compile for these layouts, from 0 on; QUELL_INVALID_ARGUMENT for an index behind the
  * last stage. Compiles nothing. */
@@ -418,6 +445,7 @@ quell_status quellResetHistory(quell_denoiser* denoiser);
 
 /* --- Debugging -------------------------------------------------------------------------------------------------- */
 
+/* How bad a finding is. */
 typedef int32_t quell_severity;
 enum {
   QUELL_NOTE = 0,     /* worth knowing; the frame is as the contract says */
@@ -428,32 +456,33 @@ enum {
 /* "note", "doubtful" or "wrong"; "unknown" for other numbers. */
 const char* quellSeverityName(quell_severity severity);
 
+/* What quellCheckFrame has found. */
 typedef struct quell_frame_check {
-  size_t structSize;
+  size_t structSize;    /* set by QUELL_INIT */
   quell_severity worst; /* of the findings; QUELL_NOTE if there are none */
-  size_t findingCount;
-  size_t figureCount;
+  size_t findingCount;  /* for quellGetFinding */
+  size_t figureCount;   /* for quellGetCheckFigure */
 } quell_frame_check;
 
 /* One thing that is odd about a frame. Texts live until the next quellCheckFrame of this denoiser. */
 typedef struct quell_finding {
-  size_t structSize;
-  quell_severity severity;
-  const char* kind;     /* for example "camera-transposed"; stable across releases */
-  const char* image;    /* member of quell_frame that it is about */
-  const char* expected; /* what the contract says */
-  const char* got;      /* what was measured, with units */
-  const char* cure;     /* what most likely sets it right */
-  const char* sentence; /* made of all the others */
-  size_t pixels;        /* how many show it; 0 where it is about the frame as a whole */
+  size_t structSize;       /* set by QUELL_INIT */
+  quell_severity severity; /* how bad it is */
+  const char* kind;        /* for example "camera-transposed"; stable across releases */
+  const char* image;       /* member of quell_frame that it is about */
+  const char* expected;    /* what the contract says */
+  const char* got;         /* what was measured, with units */
+  const char* cure;        /* what most likely sets it right */
+  const char* sentence;    /* made of all the others */
+  size_t pixels;           /* how many show it; 0 where it is about the frame as a whole */
 } quell_finding;
 
 /* Something measured, whether or not it is odd. Texts live as those of findings. */
 typedef struct quell_check_figure {
-  size_t structSize;
-  const char* name; /* for example "surface share" */
-  const char* unit; /* for example "%"; empty: a plain number */
-  double value;
+  size_t structSize; /* set by QUELL_INIT */
+  const char* name;  /* for example "surface share" */
+  const char* unit;  /* for example "%"; empty: a plain number */
+  double value;      /* in `unit` */
 } quell_check_figure;
 
 /* Says what is odd about a frame that quellDenoise would take, and what would cure it: transposed matrices, packed
@@ -463,20 +492,23 @@ typedef struct quell_check_figure {
  * the findings, from 0 to findingCount - 1, causes before what follows from them, and quellGetCheckFigure the figures. */
 quell_status quellCheckFrame(quell_denoiser* denoiser, const quell_frame* frame, cl_uint waitCount,
                              const cl_event* waitList, quell_frame_check* check);
+/* Finding `index` of the latest quellCheckFrame; QUELL_INVALID_ARGUMENT behind the last. */
 quell_status quellGetFinding(const quell_denoiser* denoiser, size_t index, quell_finding* finding);
+/* Figure `index` of the latest quellCheckFrame; QUELL_INVALID_ARGUMENT behind the last. */
 quell_status quellGetCheckFigure(const quell_denoiser* denoiser, size_t index, quell_check_figure* figure);
 
 /* The method's intermediate buffers, in the order in which a frame touches them; none before quellPrepare. Names live
  * until the next quellCountBuffers of this denoiser, which quellGetBufferName needs first. */
 quell_status quellCountBuffers(quell_denoiser* denoiser, size_t* count);
+/* The name of buffer `index`, from 0 to the count - 1. */
 quell_status quellGetBufferName(const quell_denoiser* denoiser, size_t index, const char** name);
 
 /* An intermediate buffer, for debugging. */
 typedef struct quell_buffer_content {
-  size_t structSize;
-  int width;  /* pixels; of buffers that are not images the number of elements */
-  int height; /* pixels; of buffers that are not images 1 */
-  int planes;
+  size_t structSize; /* set by QUELL_INIT */
+  int width;         /* pixels; of buffers that are not images the number of elements */
+  int height;        /* pixels; of buffers that are not images 1 */
+  int planes;        /* of buffers that are not images 1 */
 } quell_buffer_content;
 
 /* One of the method's intermediate buffers as the latest frame has left it; blocks until that frame is done. `values`
@@ -487,8 +519,9 @@ typedef struct quell_buffer_content {
 quell_status quellReadBuffer(const quell_denoiser* denoiser, const char* name, float* values, size_t capacity,
                              quell_buffer_content* content);
 
+/* What has become of quell_options.captureDirectory. */
 typedef struct quell_capture_state {
-  size_t structSize;
+  size_t structSize;     /* set by QUELL_INIT */
   const char* directory; /* the folder of the latest quellPrepare; empty: nothing is captured */
   const char* problem;   /* a sentence on what ended the capture early; empty: nothing did */
   int frames;            /* that are written; the others may still be pending */
@@ -496,8 +529,9 @@ typedef struct quell_capture_state {
 /* What was written of quell_options.captureDirectory so far; texts live until the next call for this denoiser. */
 quell_status quellGetCaptureState(quell_denoiser* denoiser, quell_capture_state* state);
 
+/* What running a capture again has shown. */
 typedef struct quell_replay {
-  size_t structSize;
+  size_t structSize;   /* set by QUELL_INIT */
   int equal;           /* 1: all outputs, bit for bit */
   int frameCount;      /* of all folders */
   int differenceCount; /* facts, such as device and driver, that were not the same where they were captured */
@@ -511,8 +545,8 @@ quell_status quellReplay(const char* directory, cl_context context, cl_device_id
 /* What the latest frame left out because it is background (setting `skip`). All zero before the first frame after
  * quellPrepare or quellResetHistory, and for methods and settings that leave out nothing. */
 typedef struct quell_background_map {
-  size_t structSize;
-  int itemWidth;     /* pixels of a row that one work-item takes, 1 or 16 */
+  size_t structSize; /* set by QUELL_INIT */
+  int itemWidth;     /* pixels of a row that one work-item takes: 1, 4, 8 or 16 */
   int columns;       /* work-items across */
   int rows;          /* work-items down, one a row of pixels */
   double share;      /* of the work-items that are left out, 0 to 1 */
@@ -525,6 +559,7 @@ typedef struct quell_background_map {
  * next quellGetBackgroundMap of this denoiser. */
 quell_status quellGetBackgroundMap(quell_denoiser* denoiser, unsigned char* background, size_t capacity,
                                    quell_background_map* map);
+/* The label of stage `index`; see quellGetBackgroundMap. */
 quell_status quellGetBackgroundStage(const quell_denoiser* denoiser, size_t index, const char** label);
 
 /* A copy of the settings of the denoiser; the caller destroys it. */
@@ -532,18 +567,21 @@ quell_status quellGetDenoiserSettings(const quell_denoiser* denoiser, quell_sett
 
 /* --- Memory and times ------------------------------------------------------------------------------------------- */
 
+/* Device memory of a denoiser. */
 typedef struct quell_memory_use {
-  size_t structSize;
-  size_t totalBytes; /* device memory held since quellPrepare; the caller's images not included */
-  size_t bufferCount;
+  size_t structSize;  /* set by QUELL_INIT */
+  size_t totalBytes;  /* device memory held since quellPrepare; the caller's images not included */
+  size_t bufferCount; /* for quellGetBufferUse */
 } quell_memory_use;
 
+/* Memory of one buffer, or of several by turns, which are named together. */
 typedef struct quell_buffer_use {
-  size_t structSize;
-  const char* name; /* lives until the next quellGetMemoryUse of this denoiser */
-  size_t bytes;
+  size_t structSize; /* set by QUELL_INIT */
+  const char* name;  /* lives until the next quellGetMemoryUse of this denoiser */
+  size_t bytes;      /* on the device */
 } quell_buffer_use;
 
+/* Where times come from. */
 typedef int32_t quell_time_source;
 enum {
   QUELL_TIME_DEVICE = 0, /* OpenCL event profiling */
@@ -552,32 +590,34 @@ enum {
 
 /* Over the latest 4096 frames, milliseconds; all zero if there are none. This struct does not grow. */
 typedef struct quell_time_statistics {
-  size_t count;
-  double medianMs;
-  double meanMs;
-  double minMs;
-  double maxMs;
+  size_t count;    /* frames counted, at most 4096 */
+  double medianMs; /* of an even number of frames the mean of the two in the middle */
+  double meanMs;   /* drawn up by single slow frames; prefer the median */
+  double minMs;    /* the fastest frame */
+  double maxMs;    /* the slowest frame */
 } quell_time_statistics;
 
+/* Times of a denoiser's frames. */
 typedef struct quell_timings {
-  size_t structSize;
-  quell_time_source source;
+  size_t structSize;           /* set by QUELL_INIT */
+  quell_time_source source;    /* which of the two the times are of */
   size_t stageCount;           /* 0 if timers are off */
   quell_time_statistics frame; /* start of the first kernel to end of the last, gaps included */
 } quell_timings;
 
+/* Times of one line of a method's table. */
 typedef struct quell_stage_timings {
-  size_t structSize;
+  size_t structSize;          /* set by QUELL_INIT */
   const char* stage;          /* lives until the next quellGetTimings of this denoiser */
   quell_time_statistics time; /* sum over the stage's kernels */
   uint64_t lastQueuedNs;      /* event times of the latest finished frame, device clock; 0 with host times */
-  uint64_t lastSubmitNs;
-  uint64_t lastStartNs; /* of the stage's first kernel */
-  uint64_t lastEndNs;   /* of its last kernel */
-  uint64_t bytesMoved;  /* that the stage must read and write per frame, each counted once */
-  const char* label;    /* the stage's name, with what tells it from others of that name; lives as `stage` */
-  int hasSkippedShare;  /* 0 where it is not known, or nothing can be left out */
-  double skippedShare;  /* work left out over all work, 0 to 1 */
+  uint64_t lastSubmitNs;      /* of the stage's first kernel */
+  uint64_t lastStartNs;       /* of the stage's first kernel */
+  uint64_t lastEndNs;         /* of its last kernel */
+  uint64_t bytesMoved;        /* that the stage must read and write per frame, each counted once */
+  const char* label;   /* the stage's name, with what tells it from others of that name; lives as `stage` */
+  int hasSkippedShare; /* 0 where it is not known, or nothing can be left out */
+  double skippedShare; /* work left out over all work, 0 to 1 */
 } quell_stage_timings;
 
 /* What quellPrepare would allocate for these layouts; quellGetBufferUse then gives the parts. Allocates and builds
@@ -586,12 +626,15 @@ quell_status quellGetMemoryNeeded(quell_denoiser* denoiser, const quell_frame* f
                                   const quell_output* output, quell_memory_use* use);
 /* Takes stock; quellGetBufferUse then gives the parts, from 0 to bufferCount - 1. */
 quell_status quellGetMemoryUse(quell_denoiser* denoiser, quell_memory_use* use);
+/* Part `index` of what the latest of the two calls above has counted. */
 quell_status quellGetBufferUse(const quell_denoiser* denoiser, size_t index, quell_buffer_use* use);
 
 /* Collects the times of all frames that have finished so far, never waiting for more; quellGetStageTimings then gives
  * the stages, from 0 to stageCount - 1. */
 quell_status quellGetTimings(quell_denoiser* denoiser, quell_timings* timings);
+/* Stage `index` of the latest quellGetTimings. */
 quell_status quellGetStageTimings(const quell_denoiser* denoiser, size_t index, quell_stage_timings* timings);
+/* Starts the statistics afresh; frames that are pending still count. */
 quell_status quellClearTimings(quell_denoiser* denoiser);
 
 QUELL_C_API_END

@@ -9,3 +9,6 @@
 #include <quell/replay.hpp>
 #include <quell/settings.hpp>
 #include <quell/timings.hpp>
+
+/// Everything that Quell offers to C++. What fails throws quell::Error.
+namespace quell {}

@@ -11,30 +11,32 @@
 
 namespace quell {
 
+/// One output image of a frame, when it was captured and now.
 struct ReplayedOutput {
   std::string image;           ///< the member of Output
   std::uint64_t captured = 0;  ///< FNV-1a of 64 bits over its pixels, row by row from the top, without gaps
-  std::uint64_t here = 0;
+  std::uint64_t here = 0;      ///< the same of what this device has made
 };
 
+/// A frame that was run again.
 struct ReplayedFrame {
-  int number = 0;  ///< from 0 on, in the order of the capture
-  std::vector<ReplayedOutput> outputs;
+  int number = 0;                       ///< from 0 on, in the order of the capture
+  std::vector<ReplayedOutput> outputs;  ///< those that the capture has
 };
 
 /// Something that was not the same where the frames were captured.
 struct FactDifference {
-  std::string fact;  ///< for example "device" or "driver"
-  std::string captured;
-  std::string here;
+  std::string fact;      ///< for example "device" or "driver"
+  std::string captured;  ///< what it was there
+  std::string here;      ///< what it is here
 };
 
 /// One folder of a capture, run once more.
 struct Replay {
-  std::string directory;
-  std::string method;
-  std::vector<ReplayedFrame> frames;
-  std::vector<FactDifference> differences;
+  std::string directory;                    ///< the folder that was run
+  std::string method;                       ///< the captured one, for example "quell"
+  std::vector<ReplayedFrame> frames;        ///< in the order of the capture
+  std::vector<FactDifference> differences;  ///< empty: device, driver and version are the same
 
   QUELL_API bool equal() const;  ///< all outputs, bit for bit
 };

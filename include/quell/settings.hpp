@@ -9,27 +9,28 @@
 
 namespace quell {
 
+/// Which values a setting takes.
 enum class SettingKind {
-  Real,
-  Integer,
-  Boolean,
-  Choice,
-  Text,  ///< in a form that `description` explains; has no number
+  Real,     ///< numbers from `minimum` to `maximum`
+  Integer,  ///< whole numbers from `minimum` to `maximum`
+  Boolean,  ///< 0 or 1, off or on
+  Choice,   ///< one of `choices`, or its index
+  Text,     ///< in a form that `description` explains; has no number
 };
 
 /// What a setting means and which values it takes.
 struct SettingDescription {
-  std::string name;
-  SettingKind kind = SettingKind::Real;
-  double defaultValue = 0.0;  ///< for Choice: index into `choices`; for Boolean: 0 or 1
-  double minimum = 0.0;       ///< smallest accepted value
-  double maximum = 0.0;       ///< largest accepted value
-  std::string unit;           ///< empty: a plain number
-  std::string description;
-  std::string source;                ///< paper and section, or how the default was found
-  std::vector<std::string> choices;  ///< for Choice only
-  std::string defaultText = "";      ///< for Text only
-  std::optional<double> paper = {};  ///< the value of the method's paper, where the default may differ
+  std::string name;                      ///< unique within its method
+  SettingKind kind = SettingKind::Real;  ///< which values it takes
+  double defaultValue = 0.0;             ///< for Choice: index into `choices`; for Boolean: 0 or 1
+  double minimum = 0.0;                  ///< smallest accepted value
+  double maximum = 0.0;                  ///< largest accepted value
+  std::string unit;                      ///< empty: a plain number
+  std::string description;               ///< what it does, in half a sentence
+  std::string source;                    ///< paper and section, or how the default was found
+  std::vector<std::string> choices;      ///< for Choice only
+  std::string defaultText = "";          ///< for Text only
+  std::optional<double> paper = {};      ///< the value of the method's paper, where the default may differ
 };
 
 /// Values of the settings of one method; starts at the defaults.
@@ -38,6 +39,7 @@ class QUELL_API Settings {
   /// Throws Error(UnknownSetting) for an unknown method; methodNames() lists them.
   explicit Settings(const std::string& method = "quell");
 
+  /// The method's name.
   const std::string& method() const { return m_method; }
 
   /// Throws Error(UnknownSetting) for an unknown name and Error(OutOfRange) for a value that is out of range,
@@ -53,6 +55,7 @@ class QUELL_API Settings {
   double get(const std::string& name) const;        ///< throws Error(UnknownSetting); 0 for Text
   bool isOn(const std::string& name) const;         ///< get() != 0
   std::string text(const std::string& name) const;  ///< the value as set(name, text) takes it
+  /// methodSettings() of the method.
   const std::vector<SettingDescription>& descriptions() const;
 
  private:
@@ -66,10 +69,11 @@ class QUELL_API Settings {
   std::vector<Value> m_values;  // in the order of descriptions()
 };
 
+/// All methods, the default one first.
 QUELL_API std::vector<std::string> methodNames();
 /// One line on what a method does. Throws Error(UnknownSetting).
 QUELL_API std::string methodSummary(const std::string& method);
-/// Throws Error(UnknownSetting).
+/// All settings of a method, as the manual lists them; lives as long as the program. Throws Error(UnknownSetting).
 QUELL_API const std::vector<SettingDescription>& methodSettings(const std::string& method);
 
 }  // namespace quell
