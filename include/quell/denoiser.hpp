@@ -40,7 +40,7 @@ enum class Mapping {
 /// What a denoiser is made with, for good. The defaults suit a renderer.
 struct Options {
   TimerMode timers = TimerMode::Off;     ///< for timings(); costs an event a kernel
-  Mapping mapping = Mapping::Automatic;  ///< results are the same bit for bit on one device, whichever
+  Mapping mapping = Mapping::Automatic;  ///< results differ by rounding at most
   /// Work-group of the per-pixel kernels, work-items in x and y; 0: as measured by `quell tune-device`,
   /// else chosen from what device and kernel allow.
   std::array<int, 2> workGroup{0, 0};
@@ -226,7 +226,8 @@ class QUELL_API Denoiser {
   /// earlier commands) and is done when the returned event has. Throws Error(NotPrepared) if the size or a
   /// layout differs from what was prepared, Error(WrongContext), Error(InvalidArgument) or Error(OutOfRange)
   /// for unusable buffers, events or cameras, Error(DeviceError) for a wait-list event that has failed; all
-  /// of them before anything is enqueued. A frame that fails later restarts the history.
+  /// of them before anything is enqueued. A frame that fails later restarts the history. Any number of frames may be pending:
+  /// they run one after the other on every kind of queue. The queue is flushed.
   /// `queue`: another one of the same context and device for this frame, which comes after the frame before by an event;
   /// null: the constructor's.
   Event denoise(const Frame& frame, const Output& output, const std::vector<cl_event>& waitList = {},

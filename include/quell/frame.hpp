@@ -26,7 +26,7 @@ enum class DepthKind {
 /// from its surroundings. A pixel whose position or normal is not finite passes through unfiltered.
 struct Frame {
   Size size;      ///< pixels, as prepared
-  Camera camera;  ///< of this frame and the one before; `motion` replaces what follows from it for what moves
+  Camera camera;  ///< of this frame and the one before; where `motion` is given that says where things were
 
 #define QUELL_VIEW(name, ...) ImageView name;
   /// What each holds, and which are optional, stands in frame_images.h.

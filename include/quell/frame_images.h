@@ -21,8 +21,8 @@
 /* clang-format off */
 /* What the caller hands over for one frame. */
 #define QUELL_FRAME_IMAGES(IMAGE)                                                                                      \
-  /* Linear radiance with emission included, 1, 3 or 4 channels (one is spread to RGB, a fourth ignored), one sample
-     per pixel or more. Radiance minus emission is clamped to [0, 65504]. */                                           \
+  /* Linear radiance with emission included, 1 to 4 channels (one is spread to RGB, a missing third is 0, a fourth
+     ignored), one sample per pixel or more. Radiance minus emission is clamped to [0, 65504]. */                      \
   IMAGE(radiance, RADIANCE, 1, 4, VALUES, REQUIRED,                                                                    \
         ("color", "RGB", HALF, "color"),                                                                               \
         ("", "linear, emission included", "clamped to 0 .. 65504", "missing sample"))                                  \
@@ -36,16 +36,16 @@
   IMAGE(normalWorld, NORMALWORLD, 3, 4, VALUES, REQUIRED,                                                              \
         ("shading_normal", "RGB", HALF, "normal"),                                                                     \
         ("", "world, any length", "0 marks background", "pixel passes through"))                                       \
-  /* Half is accepted only while the camera is within kHalfPositionRange of the world origin on every axis. Either this
-     or viewDepth. */                                                                                                  \
+  /* Half is accepted only while the camera is within 32 scene units of the world origin on every axis
+     (kHalfPositionRange). Either this or viewDepth. */                                                                \
   IMAGE(positionWorld, POSITIONWORLD, 3, 4, VALUES, OPTIONAL,                                                          \
         ("world_position", "RGB", FLOAT, "position"),                                                                  \
         ("`viewDepth`", "world, scene units", "below 1e18 from the camera", "pixel passes through"))                   \
-  /* Depth along the view axis; perspective cameras only. */                                                           \
+  /* Depth along the view axis; perspective cameras only. Of background any value. */                                  \
   IMAGE(viewDepth, VIEWDEPTH, 1, 1, VALUES, OPTIONAL,                                                                  \
         ("", "Y", FLOAT, "depth"),                                                                                     \
         ("`positionWorld`", "along the view axis, scene units", "positive in front", "pixel passes through"))          \
-  /* Diffuse albedo. Light is divided by 0.01 to 2 in a channel; what becomes of channels below says README.md. */     \
+  /* Diffuse albedo. Light is divided by 0.01 to 2 in a channel; what becomes of channels below: docs/buffers.md. */   \
   IMAGE(albedo, ALBEDO, 1, 4, VALUES, OPTIONAL,                                                                        \
         ("albedo", "RGB", HALF, "albedo"),                                                                             \
         ("1", "reflectance", "0 .. 1", "counts as 0"))                                                                 \

@@ -172,7 +172,8 @@ typedef int32_t quell_input_use;
 enum {
   QUELL_UNUSED = 0,   /* does not */
   QUELL_OPTIONAL = 1, /* does where it is there */
-  QUELL_REQUIRED = 2  /* quellPrepare refuses frames without it */
+  QUELL_REQUIRED =
+      2 /* quellPrepare refuses frames without it, and without what `without` names in its place */
 };
 
 /* What a method does with one image of quell_frame. */
@@ -225,9 +226,10 @@ typedef struct quell_image_view {
 } quell_image_view;
 
 /* This frame's camera and that of the frame before. 4x4 matrices from world to clip space, row-major, for column
- * vectors, unjittered; NDC x right, y up. The previous one may be anything on the first frame after a reset; all zero: that
- * of the frame before, which the denoiser remembers. Jitter of this frame: sample position minus pixel centre, pixels, x
- * right, y down, in [-1, 1]. This struct does not grow. */
+ * vectors, unjittered; NDC x right, y up, in [-1, 1]; clip.w grows in front of the camera, clip.z is not used. The
+ * previous one may be anything on the first frame after a reset; all zero: that of the frame before, which the denoiser
+ * remembers. Jitter of this frame: sample position minus pixel centre, pixels, x right, y down, in [-1, 1]. This struct
+ * does not grow. */
 typedef struct quell_camera {
   double worldToClip[16];     /* of this frame */
   double worldToClipPrev[16]; /* of the frame before; all zero: the one that the denoiser remembers */
@@ -242,7 +244,10 @@ enum {
       1 /* column by column, for column vectors (GLM); also row by row for row vectors (DirectXMath) */
 };
 
-/* Sets `worldToClip` to the product of two matrices of 16 floats; `worldToView` NULL: viewToClip is the product already. */
+/* Both of these leave the previous matrix and the jitter as they are; QUELL_INVALID_ARGUMENT for numbers that make no
+ * camera. Who has matrices in double precision writes `worldToClip` itself.
+ *
+ * Sets `worldToClip` to the product of two matrices of 16 floats; `worldToView` NULL: viewToClip is the product already. */
 quell_status quellSetMatrices(quell_camera* camera, const float* viewToClip, const float* worldToView,
                               quell_matrix_order order);
 /* Sets `worldToClip` to that of a pinhole camera. `up` points up in the picture; the field of view is in (0, 180) degrees;
@@ -263,8 +268,13 @@ enum {
 
 /* A member an image. */
 #define QUELL_VIEW(name, NAME, least, most, kind, presence, files, texts) quell_image_view name;
-/* Inputs of one frame, read until the event of quellDenoise has completed. What the images hold (units, ranges, NaN)
- * is said in frame_images.h. */
+/* Inputs of one frame, read until the event of quellDenoise has completed. quellPrepare fixes `width` and `height` (1 to
+ * 32768, 2^27 pixels together), which images there are, their format, channels, sum, pixel stride and row pitch,
+ * `demodulated` and `depthKind`; `memory`, `offsetBytes` and all else may change from frame to frame.
+ *
+ * The images are radiance, glossyRadiance, normalWorld, positionWorld, viewDepth, albedo, glossColor, roughness, f0,
+ * emission, motion, objectId and hitDistance; what they hold (units, ranges, NaN) is said in frame_images.h. Required are
+ * radiance, normalWorld and one of positionWorld and viewDepth, never both. */
 typedef struct quell_frame {
   size_t structSize;          /* set by QUELL_INIT */
   int width;                  /* pixels across, as prepared */
@@ -282,7 +292,7 @@ typedef struct quell_frame {
   int renderHeight; /* quellPrepare must have had such a size, too; see quell::Frame::renderSize */
 } quell_frame;
 
-/* Outputs of one frame, either or both. */
+/* Outputs of one frame: linear and display (frame_images.h), either or both. */
 typedef struct quell_output {
   size_t structSize; /* set by QUELL_INIT */
   QUELL_OUTPUT_IMAGES(QUELL_VIEW)
@@ -338,7 +348,7 @@ enum {
   QUELL_TIMERS_HOST = 2 /* completion callbacks */
 };
 
-/* How per-pixel work is spread over work-items; results are the same bit for bit on one device. */
+/* How per-pixel work is spread over work-items; results differ by rounding at most. */
 typedef int32_t quell_mapping;
 enum {
   QUELL_MAPPING_AUTOMATIC = 0, /* wide on CPU devices, narrow elsewhere */
@@ -364,7 +374,7 @@ typedef struct quell_options {
   int captureSkip;      /* how many are left out before */
 } quell_options;
 
-/* Denoises a sequence of frames on one queue. */
+/* Denoises a sequence of frames, each after the one before, on one queue at a time. */
 typedef struct quell_denoiser quell_denoiser;
 
 /* The OpenCL handles are retained as long as needed. `settings` NULL: the default method with its defaults;
@@ -372,11 +382,14 @@ typedef struct quell_denoiser quell_denoiser;
 quell_status quellCreateDenoiser(cl_context context, cl_device_id device, cl_command_queue queue,
                                  const quell_settings* settings, const quell_options* options,
                                  quell_denoiser** denoiser);
-/* Safe while frames are pending: they run to their end. NULL is allowed. */
+/* Safe while frames are pending: they run to their end. Waits for the kernel that quellPrepareAsync is compiling. NULL is
+ * allowed. */
 void quellDestroyDenoiser(quell_denoiser* denoiser);
 
 /* Builds all kernels for these layouts, allocates all memory and warms up; blocks. Memory may be NULL here. May be
- * called again for other sizes or layouts; the history is reset. */
+ * called again for other sizes or layouts; the history and the times are reset. Waits for pending frames, so what these
+ * wait for must not depend on this thread. After a failure, also over arguments (a size of 0x0), nothing is prepared any
+ * more. */
 quell_status quellPrepare(quell_denoiser* denoiser, const quell_frame* frame, const quell_output* output);
 
 /* How far a preparation is: what has been built or launched last, and steps. Called on the thread that prepares; may call
@@ -435,8 +448,15 @@ quell_status quellDenoiseOn(quell_denoiser* denoiser, cl_command_queue queue, co
 
 /* Enqueues one frame; never builds, allocates device memory, copies through the host or blocks. Work starts when all
  * of the wait list's events have completed (on an in-order queue also after all earlier commands). `done` receives an
- * event that the caller releases; NULL if not wanted. waitCount 0: waitList may be NULL. On failure nothing is
- * written to `done`. */
+ * event that the caller releases; NULL if not wanted. waitCount 0: waitList may be NULL. The queue is flushed.
+ *
+ * Any number of frames may be pending: they run one after the other on every kind of queue, so that inputs and outputs
+ * alone need a copy per frame in flight, until `done` of theirs.
+ *
+ * What is refused is refused before anything is enqueued, and nothing is written to `done`: QUELL_NOT_PREPARED for another
+ * size or layout, QUELL_WRONG_CONTEXT, QUELL_INVALID_ARGUMENT or QUELL_OUT_OF_RANGE for unusable buffers, events or
+ * cameras, QUELL_DEVICE_ERROR for an event of the wait list that has failed. A frame that fails later gives `done` a
+ * negative status and restarts the history; go on with the next one. */
 quell_status quellDenoise(quell_denoiser* denoiser, const quell_frame* frame, const quell_output* output,
                           cl_uint waitCount, const cl_event* waitList, cl_event* done);
 
@@ -515,7 +535,7 @@ typedef struct quell_buffer_content {
  * receives width * height * planes numbers, plane by plane, row by row; NULL with capacity 0 to learn the size alone.
  * QUELL_INVALID_ARGUMENT for a smaller capacity, for a name that the method does not have (the message lists those that
  * it has) and for one that is neither among quell_options.keptBuffers nor a history; QUELL_NOT_PREPARED before the first
- * frame. */
+ * frame after quellPrepare or quellResetHistory. */
 quell_status quellReadBuffer(const quell_denoiser* denoiser, const char* name, float* values, size_t capacity,
                              quell_buffer_content* content);
 
@@ -577,7 +597,7 @@ typedef struct quell_memory_use {
 /* Memory of one buffer, or of several by turns, which are named together. */
 typedef struct quell_buffer_use {
   size_t structSize; /* set by QUELL_INIT */
-  const char* name;  /* lives until the next quellGetMemoryUse of this denoiser */
+  const char* name;  /* lives until the next quellGetMemoryUse or quellGetMemoryNeeded of this denoiser */
   size_t bytes;      /* on the device */
 } quell_buffer_use;
 
@@ -588,7 +608,8 @@ enum {
   QUELL_TIME_HOST = 1    /* completion callbacks; includes scheduling delays */
 };
 
-/* Over the latest 4096 frames, milliseconds; all zero if there are none. This struct does not grow. */
+/* Over the frames since timers were last cleared or quellPrepare ran, at most the latest 4096, milliseconds; all zero if there
+ * are none. This struct does not grow. */
 typedef struct quell_time_statistics {
   size_t count;    /* frames counted, at most 4096 */
   double medianMs; /* of an even number of frames the mean of the two in the middle */
@@ -621,7 +642,7 @@ typedef struct quell_stage_timings {
 } quell_stage_timings;
 
 /* What quellPrepare would allocate for these layouts; quellGetBufferUse then gives the parts. Allocates and builds
- * nothing. */
+ * nothing. Its names replace those of quellGetMemoryUse. */
 quell_status quellGetMemoryNeeded(quell_denoiser* denoiser, const quell_frame* frame,
                                   const quell_output* output, quell_memory_use* use);
 /* Takes stock; quellGetBufferUse then gives the parts, from 0 to bufferCount - 1. */

@@ -1,4 +1,4 @@
-/* The README's C example: one frame of a renderer's own buffers, denoised on the renderer's own queue. C99. */
+/* The C example of docs/install.md: one frame of a renderer's own buffers, denoised on the renderer's own queue. C99. */
 #include <quell/quell.h>
 #include <stdio.h>
 #include <stdlib.h>
