@@ -40,7 +40,7 @@ Method makeMethod(const std::string& name, const std::string& summary, const Set
           [table](const std::string& setting, const std::string& text) { table.checkText(setting, text); }};
 }
 
-/// All methods. A new one is added in registry.cpp and nowhere else.
+/// All methods; a line of registry.cpp each.
 const std::vector<Method>& methods();
 
 /// Throws Error(UnknownSetting) listing the names there are.
