@@ -71,7 +71,7 @@ std::map<std::string, Names> optionsInHelp() {
 TEST_CASE("help lists every command", "[cli]") {
   CHECK(listed(helpOf(""), "Subcommands:", 2) ==
         Names{"bench", "check", "compare", "completion", "demo", "denoise", "devices", "f-beta", "kernels",
-              "man", "render", "replay", "select-features", "stress", "tune", "tune-device"});
+              "man", "render", "replay", "select-features", "settings", "stress", "tune", "tune-device"});
 }
 
 TEST_CASE("help lists every option, with a word on each", "[cli]") {

@@ -144,19 +144,23 @@ Settings defaultSettings(const std::string& method, const io::FrameSequence& seq
   return settings;
 }
 
+std::string settingRange(const SettingDescription& setting) {
+  if (setting.kind == SettingKind::Text) return "";
+  std::string range = fmt::format("{:g} to {:g}", setting.minimum, setting.maximum);
+  if (setting.kind == SettingKind::Boolean) range = "on, off";
+  if (setting.kind == SettingKind::Choice) range = fmt::format("{}", fmt::join(setting.choices, ", "));
+  return setting.unit.empty() ? range : range + " " + setting.unit;
+}
+
 std::string settingsHelp(const std::string& option) {
   std::string text = fmt::format("Settings for {}:\n", option);
   for (const std::string& method : methodNames()) {
     text += fmt::format("  {}: {}\n", method, methodSummary(method));
     const Settings defaults(method);
     for (const SettingDescription& setting : methodSettings(method)) {
-      std::string range = fmt::format("{:g} to {:g}", setting.minimum, setting.maximum);
-      if (setting.kind == SettingKind::Boolean) range = "on, off";
-      if (setting.kind == SettingKind::Choice) range = fmt::format("{}", fmt::join(setting.choices, ", "));
-      if (!setting.unit.empty()) range += " " + setting.unit;
-      range = setting.kind == SettingKind::Text ? "" : "; " + range;
-      text += fmt::format("    {:<24} {} (default {}{})\n", setting.name, setting.description,
-                          defaults.text(setting.name), range);
+      const std::string range = settingRange(setting);
+      text += fmt::format("    {:<24} {} (default {}{}{})\n", setting.name, setting.description,
+                          defaults.text(setting.name), range.empty() ? "" : "; ", range);
     }
   }
   return text;

@@ -74,6 +74,9 @@ bool hasSetting(const std::string& method, const std::string& setting);
 /// The method's defaults, with the history limits published with the sequence where the method knows them.
 Settings defaultSettings(const std::string& method, const io::FrameSequence& sequence);
 
+/// What a setting may be, with its unit: "1 to 255 frames", "on, off"; empty for texts.
+std::string settingRange(const SettingDescription& setting);
+
 /// All methods and their settings with ranges and defaults, for --help; `option` is what sets them.
 std::string settingsHelp(const std::string& option);
 

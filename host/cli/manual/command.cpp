@@ -1,4 +1,4 @@
-// quell man, quell completion: what packages install beside the tool.
+// quell man, quell completion, quell settings: pages that follow from the tool itself.
 #include <quell/quell.h>
 
 #include <iostream>
@@ -23,6 +23,9 @@ std::string completionFor(const std::string& shell, const std::vector<CommandTex
 void addManualCommands(CLI::App& app) {
   app.add_subcommand("man", "Print the manual page, in the macros of man(7)")->callback([&app] {
     std::cout << manualPage(describeCommands(app), quellVersion());
+  });
+  app.add_subcommand("settings", "Print the settings of all methods as a table, in Markdown")->callback([] {
+    std::cout << settingsPage();
   });
   const auto shell = std::make_shared<std::string>();
   CLI::App* completion = app.add_subcommand("completion", "Print the completion for a shell");

@@ -17,4 +17,7 @@ std::string fishCompletion(const std::vector<CommandText>& commands);
 /// Begins with #compdef, as files of zsh's fpath do.
 std::string zshCompletion(const std::vector<CommandText>& commands);
 
+/// docs/settings.md: the settings of all methods in a table, in Markdown.
+std::string settingsPage();
+
 }  // namespace quell::cli
