@@ -51,9 +51,22 @@ void addPlane(Part& part, const std::string& name, const Imf::Channel& channel,
                                             stride * columns, channel.xSampling, channel.ySampling));
 }
 
+/// A header for lines, whatever a part came as. Attributes are left out here, since OpenEXR 3.1 leaks what it erases.
+Imf::Header headerOfLines(const Imf::Header& from) {
+  Imf::Header header;
+  for (auto attribute = from.begin(); attribute != from.end(); ++attribute) {
+    const std::string name = attribute.name();
+    if (name != "tiles" && name != "chunkCount") header.insert(name, attribute.attribute());
+  }
+  header.setType(Imf::SCANLINEIMAGE);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  header.lineOrder() = Imf::INCREASING_Y;
+  return header;
+}
+
 Part readPart(Imf::MultiPartInputFile& file, int index) {
   Part part;
-  part.header = file.header(index);
+  part.header = headerOfLines(file.header(index));
   const Imf::ChannelList& channels = part.header.channels();
   for (auto channel = channels.begin(); channel != channels.end(); ++channel)
     addPlane(part, channel.name(), channel.channel());
@@ -61,11 +74,6 @@ Part readPart(Imf::MultiPartInputFile& file, int index) {
   input.setFrameBuffer(part.buffer);
   const Imath::Box2i window = part.header.dataWindow();
   input.readPixels(window.min.y, window.max.y);
-  // Written as lines whatever they came as.
-  part.header.setType(Imf::SCANLINEIMAGE);
-  for (const char* attribute : {"tiles", "chunkCount"}) part.header.erase(attribute);
-  part.header.compression() = Imf::ZIP_COMPRESSION;
-  part.header.lineOrder() = Imf::INCREASING_Y;
   return part;
 }
 
