@@ -272,9 +272,8 @@ enum {
  * 32768, 2^27 pixels together), which images there are, their format, channels, sum, pixel stride and row pitch,
  * `demodulated` and `depthKind`; `memory`, `offsetBytes` and all else may change from frame to frame.
  *
- * The images are radiance, glossyRadiance, normalWorld, positionWorld, viewDepth, albedo, glossColor, roughness, f0,
- * emission, motion, objectId and hitDistance; what they hold (units, ranges, NaN) is said in frame_images.h. Required are
- * radiance, normalWorld and one of positionWorld and viewDepth, never both. */
+ * Each image of frame_images.h is a member of that name, a quell_image_view; what they hold (units, ranges, NaN) is said
+ * there, in short in README.md, "Buffer contract". Of positionWorld and viewDepth one is required, never both. */
 typedef struct quell_frame {
   size_t structSize;          /* set by QUELL_INIT */
   int width;                  /* pixels across, as prepared */

@@ -22,8 +22,7 @@ StageSetup makeAtrousSetup(const CaseOptions& options, const AtrousVariant& vari
 }  // namespace
 
 AtrousCase::AtrousCase(const CaseOptions& options, const AtrousVariant& variant)
-    : StageCase("atrous", makeAtrousSetup(options, variant)),
-      m_filtersVariance(variant.variance && variant.iteration < kIterations) {
+    : StageCase("atrous", makeAtrousSetup(options, variant)) {
   const Settings& settings = m_harness.configuration().settings;
   const int signals = variant.images.signals;
   inputs.guides = randomGuides(variant.images, options);
@@ -42,6 +41,13 @@ AtrousCase::AtrousCase(const CaseOptions& options, const AtrousVariant& variant)
   inputs.luminanceSigma = variant.prefiltered()
                               ? settings.get("prefilteredSigma")
                               : settings.get("luminanceSigma") / (variant.variance ? 1 : inputs.step);
+}
+
+bool AtrousCase::filtersVariance() const {
+  const std::vector<Port>& ports = m_harness.ports();
+  return std::any_of(ports.begin(), ports.end(), [](const Port& port) {
+    return port.exists && port.name == std::string("filteredVariance") && port.touched > 0.0;
+  });
 }
 
 void AtrousCase::upload() {

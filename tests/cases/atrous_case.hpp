@@ -37,8 +37,8 @@ class AtrousCase : public StageCase {
   Comparison compare() override;
   double tolerance() const override { return kAtrousTolerance; }
   Planes irradiance() const { return m_harness.download("filteredIrradiance"); }
-  /// The last iteration does not, nor the method atrous: what is there then stays.
-  bool filtersVariance() const { return m_filtersVariance; }
+  /// As the stage declares. The last iteration does not, nor the method atrous: what is there then stays.
+  bool filtersVariance() const;
   Planes variance() const { return m_harness.download("filteredVariance"); }
   /// What is in the output before run().
   void setVariance(const Planes& planes) { m_harness.upload("filteredVariance", planes); }
@@ -47,9 +47,6 @@ class AtrousCase : public StageCase {
   std::vector<LightInput> light() override {
     return {lightOf(inputs.irradiance), lightOf(inputs.stopLuminance), lightOf(inputs.variance, 2)};
   }
-
- private:
-  bool m_filtersVariance;
 };
 
 }  // namespace quell::tests

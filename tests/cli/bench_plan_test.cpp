@@ -58,8 +58,9 @@ TEST_CASE("bench runs sweeps beside the main runs, on the first input or on size
   CHECK(cli::planSweep("iterations", {"svgf", "atrous"}).size() == 2 * 7);
   CHECK(cli::sweepSizes("sizes").size() == 5);
   CHECK(cli::sweepSizes("taa").empty());
-  CHECK(namesOf(cli::planSweep("background", {"quell", "atrous"})) ==
-        std::vector<std::string>{"quell skip=on", "quell skip=off", "atrous skip=on", "atrous skip=off"});
+  CHECK(namesOf(cli::planSweep("background", {"quell", "bmfr", "svgf", "atrous"})) ==
+        std::vector<std::string>{"quell skip=on", "quell skip=off", "bmfr skip=on", "bmfr skip=off",
+                                 "svgf skip=on", "svgf skip=off", "atrous skip=on", "atrous skip=off"});
   CHECK(cli::sweepSkyShares("background") == std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0});
   CHECK(cli::sweepSkyShares("sizes").empty());
   CHECK_THROWS_AS(cli::planSweep("windows", {"atrous"}), Error);
