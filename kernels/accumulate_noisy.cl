@@ -47,9 +47,9 @@ QUELL_INLINE History emptyHistory(void) {
 }
 
 // Adds one bilinear tap; the pointers are those of the signal, moved to the tap.
-QUELL_INLINE History addTap(History history, floatL weight, GatherPlan plan, int stride,
-                            __global const float* irradiance, __global const float* moments,
-                            __global const uchar* length) {
+QUELL_INLINE History addHistoryTap(History history, floatL weight, GatherPlan plan, int stride,
+                                   __global const float* irradiance, __global const float* moments,
+                                   __global const uchar* length) {
   history.irradiance = add3(history.irradiance, scale3(gatherLanes3(irradiance, plan, stride), weight));
   history.length += weight * gatherByteLanes(length, plan);
   history.weight += weight;
@@ -89,10 +89,10 @@ QUELL_INLINE void addSurfaceTap(PreviousPlanes previous, AccumulateNoisyParams p
         taps.weight[i] * gatherLanes(previous.guides + (QUELL_GUIDE_WEIGHT + s) * stride + offset, taps.plan);
     const intL accepted = same && weight > 0.0f;
     *met = *met || accepted;
-    history[s] = addTap(history[s], accepted ? weight : ZERO_LANES, taps.plan, stride,
-                        previous.irradiance + 3 * s * stride + offset,
-                        previous.moments + QUELL_MOMENT_PLANES * s * stride + offset,
-                        previous.historyLength + s * stride + offset);
+    history[s] = addHistoryTap(history[s], accepted ? weight : ZERO_LANES, taps.plan, stride,
+                               previous.irradiance + 3 * s * stride + offset,
+                               previous.moments + QUELL_MOMENT_PLANES * s * stride + offset,
+                               previous.historyLength + s * stride + offset);
     mask[s] = mask[s] | (accepted ? (intL)(QUELL_TAP_ACCEPTED(i)) : (intL)(0));
   }
 }

@@ -9,6 +9,7 @@
 #include "background_ports.h"
 #include "common/display_encoding.h"
 #include "common/material.h"
+#include "common/output_images.h"
 #include "common/surfaces.h"
 
 // With nothing to take out and add back, radiance is the result.

@@ -12,6 +12,7 @@
 // Grid:    one work-item a tile.
 #include "change_sums_ports.h"
 #include "common/planes.h"
+#include "common/tiles.h"
 
 typedef struct TileSums {
   float8 count;
@@ -72,11 +73,6 @@ QUELL_INLINE TileRow nextPixels(TileRow row) {
   next.luminance = row.luminance.s12345677;
   next.compared = row.compared.s12345677 && (int8)(-1, -1, -1, -1, -1, -1, -1, 0);
   return next;
-}
-
-QUELL_INLINE float total(float8 v) {
-  const float4 pairs = v.lo + v.hi;
-  return (pairs.x + pairs.y) + (pairs.z + pairs.w);
 }
 
 QUELL_INLINE float oddsOf(PairSums pairs) {

@@ -13,11 +13,10 @@
 //          origin; the offsets are 16 evenly spread ones instead of random ones; the noise differs from block to
 //          block; linearly dependent columns get no coefficient instead of a division by zero.
 //
-// FIT_GROUP_SIZE work-items share a block; each owns the rows (i * FIT_GROUP_SIZE + id) * QUELL_LANES + lane and keeps
+// GROUP_SIZE work-items share a block; each owns the rows (i * GROUP_SIZE + id) * QUELL_LANES + lane and keeps
 // them in private memory: with 256 work-items that is 52 registers and no traffic but the input; with one work-item
 // and 16 lanes it is a stack array that stays in a CPU's nearest caches. FIT_STORAGE_HALF puts the columns into
 // global memory as halves, block after block, as the reference does.
-#define GROUP_SIZE FIT_GROUP_SIZE
 #include "common/blocks.h"
 #include "common/fit_inputs.h"
 #include "common/planes.h"
@@ -35,24 +34,24 @@ typedef struct Block {
 } Block;
 
 // First of the QUELL_LANES pixels of a block that are vector i of a work-item.
-QUELL_INLINE int firstPixel(int id, int i) { return (i * FIT_GROUP_SIZE + id) * QUELL_LANES; }
+QUELL_INLINE int firstPixel(int id, int i) { return (i * GROUP_SIZE + id) * QUELL_LANES; }
 
 // Sums of per-item values `first` to `end` - 1 over the work-group, in a halving tree. All work-items get the result.
 QUELL_INLINE void groupSum(__local floatL* exchange, int id, floatL* values, int first, int end) {
-#if FIT_GROUP_SIZE > 1
+#if GROUP_SIZE > 1
   UNROLL
-  for (int k = first; k < end; ++k) exchange[k * FIT_GROUP_SIZE + id] = values[k];
+  for (int k = first; k < end; ++k) exchange[k * GROUP_SIZE + id] = values[k];
   GROUP_BARRIER;
-  for (int active = FIT_GROUP_SIZE / 2; active > 0; active /= 2) {
+  for (int active = GROUP_SIZE / 2; active > 0; active /= 2) {
     if (id < active) {
       UNROLL
       for (int k = first; k < end; ++k)
-        exchange[k * FIT_GROUP_SIZE + id] += exchange[k * FIT_GROUP_SIZE + id + active];
+        exchange[k * GROUP_SIZE + id] += exchange[k * GROUP_SIZE + id + active];
     }
     GROUP_BARRIER;
   }
   UNROLL
-  for (int k = first; k < end; ++k) values[k] = exchange[k * FIT_GROUP_SIZE];
+  for (int k = first; k < end; ++k) values[k] = exchange[k * GROUP_SIZE];
   GROUP_BARRIER;
 #endif
 }
@@ -106,7 +105,7 @@ QUELL_INLINE void sharePivotRow(COLUMNS_ARGUMENT, int j, int id, __local float* 
   UNROLL
   for (int k = j; k < QUELL_FIT_COLUMNS; ++k) {
     floatL pivot = GET(columns, k, j / GROUP_LANES);
-    if (id == j / QUELL_LANES % FIT_GROUP_SIZE) pivotRow[k] = ((float*)&pivot)[j % QUELL_LANES];
+    if (id == j / QUELL_LANES % GROUP_SIZE) pivotRow[k] = ((float*)&pivot)[j % QUELL_LANES];
   }
 }
 
@@ -162,7 +161,7 @@ QUELL_INLINE void applyReflection(COLUMNS_ARGUMENT, Reflection reflection, int j
 
 // Back substitution, eq. (5): one colour channel a work-item.
 QUELL_INLINE void substituteBack(__local float (*r)[QUELL_FIT_COLUMNS], int id, __global float* record) {
-  for (int c = id; c < QUELL_FIT_CHANNELS; c += FIT_GROUP_SIZE) {
+  for (int c = id; c < QUELL_FIT_CHANNELS; c += GROUP_SIZE) {
     float coefficients[QUELL_FEATURES];
     UNROLL
     for (int j = QUELL_FEATURES - 1; j >= 0; --j) {
@@ -177,8 +176,8 @@ QUELL_INLINE void substituteBack(__local float (*r)[QUELL_FIT_COLUMNS], int id, 
 }
 
 __kernel
-#if FIT_GROUP_SIZE > 1
-    __attribute__((reqd_work_group_size(FIT_GROUP_SIZE, 1, 1)))
+#if GROUP_SIZE > 1
+    __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1)))
 #endif
     void
     fit(STAGE_ARGUMENTS(FIT) FitParams params) {
@@ -188,7 +187,7 @@ __kernel
                        params.blockOffsetY + (number / params.blocksX) * QUELL_BLOCK_EDGE};
   const FitInputs inputs = FIT_INPUTS(params);
   __global float* record = fitRecords + number * QUELL_FIT_RECORD;
-#if SKIP && FIT_GROUP_SIZE == 1
+#if SKIP && GROUP_SIZE == 1
   // A work-group would have to agree on it before a barrier; one work-item does not.
   if (!anySurfaceInBlock(surfaces, params.planes, block.x, block.y, QUELL_BLOCK_EDGE)) {
     record[QUELL_FIT_USABLE] = 0.0f;
@@ -196,8 +195,8 @@ __kernel
   }
 #endif
 
-#if FIT_GROUP_SIZE > 1
-  __local floatL exchange[EXCHANGED * FIT_GROUP_SIZE];
+#if GROUP_SIZE > 1
+  __local floatL exchange[EXCHANGED * GROUP_SIZE];
 #else
   __local floatL exchange[1];
 #endif

@@ -7,7 +7,7 @@
 #include "fit_params.h"
 
 #define LOGICAL_LANES 256
-#define GROUP_LANES (FIT_GROUP_SIZE * QUELL_LANES)
+#define GROUP_LANES (GROUP_SIZE * QUELL_LANES)
 // Rows of a work-item (in vectors of QUELL_LANES), as steps of chunks: row = 256 * step + lane within 256.
 #define CHUNKS (LOGICAL_LANES / GROUP_LANES)
 #define STEPS (QUELL_BLOCK_PIXELS / LOGICAL_LANES)
@@ -28,7 +28,7 @@ typedef struct Columns {
   int id;
 } Columns;
 #define COLUMN_INDEX(columns, k, i) \
-  ((size_t)((k)*QUELL_BLOCK_PIXELS + ((i)*FIT_GROUP_SIZE + (columns).id) * QUELL_LANES))
+  ((size_t)((k)*QUELL_BLOCK_PIXELS + ((i)*GROUP_SIZE + (columns).id) * QUELL_LANES))
 #if QUELL_LANES > 1
 #define GET(columns, k, i) TYPE_OF_LANES(vload_half)(0, (columns).data + COLUMN_INDEX(columns, k, i))
 #define SET(columns, k, i, value) \

@@ -8,7 +8,7 @@
 
 // clang-format off
 #define FIT_OPTIONS(OPTION, SIZE)                                                                                                  \
-  OPTION(QUELL_SIGNAL) OPTION(QUELL_USES_MATERIAL) OPTION(TAP_WEIGHTS) OPTION(SKIP) OPTION(FIT_GROUP_SIZE) OPTION(FIT_STORAGE_HALF) OPTION(FIT_UNROLL) \
+  OPTION(QUELL_SIGNAL) OPTION(QUELL_USES_MATERIAL) OPTION(TAP_WEIGHTS) OPTION(SKIP) OPTION(GROUP_SIZE) OPTION(FIT_STORAGE_HALF) OPTION(FIT_UNROLL) \
   SIZE(QUELL_SIGNALS) SIZE(guidePlanes) SIZE(materialPlanes) SIZE(recordFloats) SIZE(storageHalves) SIZE(surfaceItems)
 
 #define FIT_PORTS(PORT, IMAGE, OUTPUT)                                                                                 \

@@ -9,9 +9,8 @@
 //          fit.cl), else they are left out.
 // Why:     the factorisation in fit.cl makes 85 passes over columns of 1024 numbers; this is one pass over the pixels.
 //
-// GRAM_GROUP_SIZE 1: one work-item a tile, sixteen pixels at once, all sums (91 of ten features) held by it. Above: the
+// GROUP_SIZE 1: one work-item a tile, sixteen pixels at once, all sums (91 of ten features) held by it. Above: the
 // work-group stages columns in local memory and every work-item owns some of the sums. Both add in one fixed order.
-#define GROUP_SIZE GRAM_GROUP_SIZE
 #include "common/blocks.h"
 #include "common/fit_features.h"
 #include "common/fit_inputs.h"
@@ -56,18 +55,18 @@ QUELL_INLINE floatL tileWeight(FitInputs inputs, GatherPlan plan, intL inside) {
 }
 
 // Ranges and scaling of the unbounded variables of a tile.
-typedef struct Range {
+typedef struct TileRange {
   float low[QUELL_SCALED_SLOTS];
   float high[QUELL_SCALED_SLOTS];
   float anchor[QUELL_SCALED_SLOTS];
   float scale[QUELL_SCALED_SLOTS];
-} Range;
+} TileRange;
 
-QUELL_INLINE void findRange(FitInputs inputs, Tile tile, int id, __local floatL* exchange, Range* range) {
+QUELL_INLINE void findRange(FitInputs inputs, Tile tile, int id, __local floatL* exchange, TileRange* range) {
 #if QUELL_SCALED > 0
   floatL bounds[BOUNDS];
   beginRange(bounds);
-  for (int vector = id; vector < TILE_VECTORS; vector += GRAM_GROUP_SIZE) {
+  for (int vector = id; vector < TILE_VECTORS; vector += GROUP_SIZE) {
     intL inside;
     const GatherPlan plan = planTilePixels(inputs.planes, tile, vector, &inside);
     includeRange(inputs, plan, tileWeight(inputs, plan, inside), bounds);
@@ -79,7 +78,8 @@ QUELL_INLINE void findRange(FitInputs inputs, Tile tile, int id, __local floatL*
 }
 
 // Weighted rows of [features | colour] of QUELL_LANES pixels.
-QUELL_INLINE void makeColumns(FitInputs inputs, Tile tile, int vector, const Range* range, floatL* columns) {
+QUELL_INLINE void makeColumns(FitInputs inputs, Tile tile, int vector, const TileRange* range,
+                              floatL* columns) {
   intL inside;
   const GatherPlan plan = planTilePixels(inputs.planes, tile, vector, &inside);
   const floatL weight = tileWeight(inputs, plan, inside);
@@ -95,14 +95,14 @@ QUELL_INLINE void makeColumns(FitInputs inputs, Tile tile, int vector, const Ran
     columns[k] = weight > 0.0f ? columns[k] * rootWeight : ZERO_LANES;
 }
 
-QUELL_INLINE void storeRange(__global float* tiles, int tileStride, int tile, const Range* range) {
+QUELL_INLINE void storeRange(__global float* tiles, int tileStride, int tile, const TileRange* range) {
   for (int k = 0; k < QUELL_SCALED; ++k) {
     tiles[(QUELL_GRAM_LOW + k) * tileStride + tile] = range->low[k];
     tiles[(QUELL_GRAM_HIGH + k) * tileStride + tile] = range->high[k];
   }
 }
 
-#if GRAM_GROUP_SIZE == 1
+#if GROUP_SIZE == 1
 
 // Whether there is a surface in a tile; what is mirrored into it counts.
 QUELL_INLINE int anySurfaceInTile(__global const uchar* surfaces, PlaneParams planes, Tile tile) {
@@ -177,7 +177,7 @@ __kernel void gram_sums(STAGE_ARGUMENTS(GRAM_SUMS) GramParams params) {
     return;
   }
   const FitInputs inputs = FIT_INPUTS(params);
-  Range range;
+  TileRange range;
   findRange(inputs, tile, 0, 0, &range);
 
   // Two vectors a turn halve the traffic of the sums, which do not fit into registers.
@@ -201,12 +201,12 @@ __kernel void gram_sums(STAGE_ARGUMENTS(GRAM_SUMS) GramParams params) {
 // regularisation hides: predictions of a few odd pixels were off by up to 3 %.
 #define RUN_PIXELS 16
 // Sums that one work-item owns.
-#define ITEM_SUMS ((QUELL_GRAM_SUMS + GRAM_GROUP_SIZE - 1) / GRAM_GROUP_SIZE)
+#define ITEM_SUMS ((QUELL_GRAM_SUMS + GROUP_SIZE - 1) / GROUP_SIZE)
 
 // Which two columns this work-item multiplies for each of its sums.
 QUELL_INLINE void assignSums(int id, int* columnA, int* columnB) {
   for (int k = 0; k < ITEM_SUMS; ++k) {
-    int rest = id + k * GRAM_GROUP_SIZE;
+    int rest = id + k * GROUP_SIZE;
     int a = 0;
     for (int row = 0; row < QUELL_GRAM_COLUMNS - 1; ++row) {
       const int length = QUELL_GRAM_COLUMNS - row;
@@ -220,9 +220,9 @@ QUELL_INLINE void assignSums(int id, int* columnA, int* columnB) {
 }
 
 // Columns of STAGED_PIXELS pixels from `first` on, for the work-group.
-QUELL_INLINE void stageColumns(FitInputs inputs, Tile tile, int first, int id, const Range* range,
+QUELL_INLINE void stageColumns(FitInputs inputs, Tile tile, int first, int id, const TileRange* range,
                                __local float* staged) {
-  for (int pixel = id; pixel < STAGED_PIXELS; pixel += GRAM_GROUP_SIZE) {
+  for (int pixel = id; pixel < STAGED_PIXELS; pixel += GROUP_SIZE) {
     float columns[QUELL_GRAM_COLUMNS];
     makeColumns(inputs, tile, first + pixel, range, columns);
     for (int k = 0; k < QUELL_GRAM_COLUMNS; ++k) staged[pixel * QUELL_GRAM_COLUMNS + k] = columns[k];
@@ -250,16 +250,16 @@ QUELL_INLINE void addStaged(__local const float* staged, const int* columnA, con
   for (int k = 0; k < ITEM_SUMS; ++k) sums[k] += stagedSums[k];
 }
 
-__kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_sums(
-    STAGE_ARGUMENTS(GRAM_SUMS) GramParams params) {
+__kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void gram_sums(STAGE_ARGUMENTS(GRAM_SUMS)
+                                                                                    GramParams params) {
   const int id = (int)get_local_id(0);
   const int number = (int)get_group_id(0);
   const Tile tile = tileOf(params, number);
   const FitInputs inputs = FIT_INPUTS(params);
-  __local float exchange[BOUNDS > 0 ? BOUNDS * GRAM_GROUP_SIZE : 1];
+  __local float exchange[BOUNDS > 0 ? BOUNDS * GROUP_SIZE : 1];
   __local float staged[STAGED_PIXELS * QUELL_GRAM_COLUMNS];
 
-  Range range;
+  TileRange range;
   findRange(inputs, tile, id, exchange, &range);
   int columnA[ITEM_SUMS], columnB[ITEM_SUMS];
   assignSums(id, columnA, columnB);
@@ -272,8 +272,8 @@ __kernel __attribute__((reqd_work_group_size(GRAM_GROUP_SIZE, 1, 1))) void gram_
     barrier(CLK_LOCAL_MEM_FENCE);
   }
   for (int k = 0; k < ITEM_SUMS; ++k) {
-    if (id + k * GRAM_GROUP_SIZE < QUELL_GRAM_SUMS)
-      gramTiles[(id + k * GRAM_GROUP_SIZE) * params.tileStride + number] = sums[k];
+    if (id + k * GROUP_SIZE < QUELL_GRAM_SUMS)
+      gramTiles[(id + k * GROUP_SIZE) * params.tileStride + number] = sums[k];
   }
   if (id == 0) storeRange(gramTiles, params.tileStride, number, &range);
 }

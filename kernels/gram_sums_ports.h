@@ -8,7 +8,7 @@
 
 // clang-format off
 #define GRAM_SUMS_OPTIONS(OPTION, SIZE)                                                                                            \
-  OPTION(QUELL_SIGNAL) OPTION(QUELL_USES_MATERIAL) OPTION(TAP_WEIGHTS) OPTION(SKIP) OPTION(GRAM_GROUP_SIZE) OPTION(GRAM_TILE_EDGE) OPTION(GRAM_MIRROR) \
+  OPTION(QUELL_SIGNAL) OPTION(QUELL_USES_MATERIAL) OPTION(TAP_WEIGHTS) OPTION(SKIP) OPTION(GROUP_SIZE) OPTION(GRAM_TILE_EDGE) OPTION(GRAM_MIRROR) \
   SIZE(QUELL_SIGNALS) SIZE(guidePlanes) SIZE(materialPlanes) SIZE(tileFloats) SIZE(surfaceItems)
 
 #define GRAM_SUMS_PORTS(PORT, IMAGE, OUTPUT)                                                                         \

@@ -16,10 +16,10 @@
 #include "light_gain_ports.h"
 
 // Sums over a window, each of a record's numbers by itself.
-typedef struct WindowSums {
+typedef struct WeightedSums {
   float8 weighted;  // of four tiles of a row
   float8 squares;   // of what is weighted
-} WindowSums;
+} WeightedSums;
 
 // Weights of four tiles of a row from `column` on, once for each number of a record.
 QUELL_INLINE float8 tentWeights(int column, int tileX, int tilesX) {
@@ -29,7 +29,7 @@ QUELL_INLINE float8 tentWeights(int column, int tileX, int tilesX) {
 }
 
 // Adds four tiles; what lies beyond the row counts for nothing.
-QUELL_INLINE WindowSums addTiles(WindowSums window, __global const float* records, float8 tent) {
+QUELL_INLINE WeightedSums addTiles(WeightedSums window, __global const float* records, float8 tent) {
   const float8 weighted = tent > 0.0f ? tent * vload8(0, records) : (float8)(0.0f);
   window.weighted += weighted;
   window.squares += weighted * weighted;
@@ -46,7 +46,7 @@ QUELL_INLINE float gainAround(__global const float* sums, LightParams params, in
   const float8 middle = tentWeights(first + 4, tileX, params.tilesX);
   const float8 right = tentWeights(first + 8, tileX, params.tilesX);
   const int lastRow = min(tileY + QUELL_LIGHT_WINDOW, params.tilesY - 1);
-  WindowSums window = {(float8)(0.0f), (float8)(0.0f)};
+  WeightedSums window = {(float8)(0.0f), (float8)(0.0f)};
   for (int row = max(tileY - QUELL_LIGHT_WINDOW, 0); row <= lastRow; ++row) {
     const float tent = (float)(QUELL_LIGHT_WINDOW + 1 - abs(row - tileY));
     __global const float* records = sums + (row * params.tilesX + first) * QUELL_LIGHT_RECORD;

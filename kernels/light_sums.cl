@@ -9,6 +9,7 @@
 #include "common/guides.h"
 #include "common/luminance.h"
 #include "common/planes.h"
+#include "common/tiles.h"
 #include "light_sums_ports.h"
 
 typedef struct LightSums {
@@ -18,8 +19,8 @@ typedef struct LightSums {
 } LightSums;
 
 // The pointers are those of the signal's planes, moved to the row.
-QUELL_INLINE LightSums addRow(LightSums sums, __global const float* history, __global const float* filtered,
-                              __global const float* weights, int stride, int8 inside) {
+QUELL_INLINE LightSums addLight(LightSums sums, __global const float* history, __global const float* filtered,
+                                __global const float* weights, int stride, int8 inside) {
   const float8 weight = vload8(0, weights);
   const int8 counts = inside && weight > 0.0f;
   const float8 luminance =
@@ -28,11 +29,6 @@ QUELL_INLINE LightSums addRow(LightSums sums, __global const float* history, __g
   sums.left += counts ? weight * luminance : (float8)(0.0f);
   sums.squares += counts ? weight * luminance * luminance : (float8)(0.0f);
   return sums;
-}
-
-QUELL_INLINE float total(float8 v) {
-  const float4 pairs = v.lo + v.hi;
-  return (pairs.x + pairs.y) + (pairs.z + pairs.w);
 }
 
 __kernel void light_sums(STAGE_ARGUMENTS(LIGHT_SUMS) LightParams params) {
@@ -50,8 +46,8 @@ __kernel void light_sums(STAGE_ARGUMENTS(LIGHT_SUMS) LightParams params) {
     for (int row = 0; row < QUELL_TILE; row += QUELL_LIGHT_ROW_STEP) {
       if (y + row >= planes.height) break;
       const int index = planeIndex(planes, x, y + row);
-      sums = addRow(sums, stopLuminance + s * stride + index, filtered + 3 * s * stride + index,
-                    guides + (QUELL_GUIDE_WEIGHT + s) * stride + index, stride, inside);
+      sums = addLight(sums, stopLuminance + s * stride + index, filtered + 3 * s * stride + index,
+                      guides + (QUELL_GUIDE_WEIGHT + s) * stride + index, stride, inside);
     }
     const int record = s * tiles + tileY * params.tilesX + tileX;
     const float lost = min(total(sums.lost), QUELL_LIGHT_MOST_LOST * total(sums.left));

@@ -13,6 +13,7 @@
 #include "common/guides.h"
 #include "common/luminance.h"
 #include "common/material.h"
+#include "common/output_images.h"
 #include "common/planes.h"
 #include "common/surfaces.h"
 #include "common/tiles.h"

@@ -18,7 +18,7 @@
 #include "common/bicubic.h"
 #include "common/display_encoding.h"
 #include "common/guides.h"
-#include "common/image_access.h"
+#include "common/output_images.h"
 #include "common/reprojection_params.h"
 #include "common/surfaces.h"
 #include "temporal_antialiasing_ports.h"

@@ -93,7 +93,7 @@ QUELL_INLINE intL suspectFireflies(floatL first, floatL second, floatL luminance
 #endif
 
 // What filters must find in background: no weight, and next to surfaces no variance.
-QUELL_INLINE void storeBackground(VarianceParams params, int x, int y, __global float* variance,
+QUELL_INLINE void storeNoVariance(VarianceParams params, int x, int y, __global float* variance,
                                   __global float* tapWeights, __global const uchar* surfaces) {
   const PlaneParams planes = params.planes;
   const int stride = planes.stride;
@@ -106,7 +106,7 @@ QUELL_INLINE void storeBackground(VarianceParams params, int x, int y, __global 
 
 __kernel void variance(STAGE_ARGUMENTS(VARIANCE) VarianceParams params) {
   BEGIN_PIXELS(params.planes);
-  LEAVE_OUT_BACKGROUND(storeBackground(params, x, y, variance, tapWeights, surfaces))
+  LEAVE_OUT_BACKGROUND(storeNoVariance(params, x, y, variance, tapWeights, surfaces))
 #if STOP_LUMINANCE
   const int atBorder = x == 0 || y == 0 || x + QUELL_LANES >= planes.width || y == planes.height - 1;
 #endif

@@ -12,8 +12,8 @@ class RecordingKernelBuilder : public KernelBuilder {
   std::size_t maxWorkGroup(const cl::Kernel&) const override { return configuration().device.maxWorkGroup; }
 
  protected:
-  cl::Kernel compile(const std::string& stem, const std::string& options) const override {
-    m_uses.push_back({stem, options});
+  cl::Kernel compile(const KernelUse& use) const override {
+    m_uses.push_back(use);
     return {};
   }
 

@@ -2,18 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "host/core/stage.hpp"
 
 namespace quell {
-
-/// One compilation of a kernel.
-struct KernelUse {
-  std::string stem;     ///< the kernel function, and kernels/<stem>.cl
-  std::string options;  ///< as for the compiler
-};
 
 /// What the stage asks its builder for; the stage cannot run afterwards. Needs no device.
 std::vector<KernelUse> kernelUses(Stage& stage, const Configuration& configuration);

@@ -17,6 +17,12 @@ bool touches(const std::vector<Binding>& row, int buffer) {
                      [&](const Binding& binding) { return binding.hasBuffer() && binding.buffer == buffer; });
 }
 
+std::vector<KernelUse> joined(const std::vector<std::vector<KernelUse>>& lists) {
+  std::vector<KernelUse> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
 }  // namespace
 
 Pipeline::Pipeline(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue,
@@ -26,6 +32,7 @@ Pipeline::Pipeline(const cl::Context& context, const cl::Device& device, const c
   const DeviceTuning tuning = readTuning(cache.disk(), m_configuration.device.identity);
   plan(tuning, makeSchedule);
   tuneStages(tuning);
+  m_programs.expect(joined(neededKernels()));
   buildStages(context, device, cache, progress);
   if (hasRenderSize(m_configuration.frame))
     m_resampler.build(DeviceKernelBuilder(context, device, cache, m_configuration, m_programs), m_plan);
@@ -76,6 +83,16 @@ void Pipeline::tuneStages(const DeviceTuning& tuning) {
   }
 }
 
+std::vector<std::vector<KernelUse>> Pipeline::neededKernels() const {
+  std::vector<std::vector<KernelUse>> needed;
+  for (std::size_t i = 0; i < m_schedule.size(); ++i)
+    needed.push_back(kernelUses(*m_schedule[i].stage, m_stageConfigurations[i]));
+  if (hasRenderSize(m_configuration.frame))
+    needed.push_back(kernelUses(
+        [&](const KernelBuilder& builder) { HistoryResampler().build(builder, m_plan); }, m_configuration));
+  return needed;
+}
+
 // One after the other: PoCL 3.1 holds a lock of the context while it compiles, so that threads gain nothing
 // (docs/embedding.md, "Cold start").
 void Pipeline::buildStages(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
@@ -121,24 +138,23 @@ std::vector<StageKernel> Pipeline::kernelStates(const Pipeline& built, const Pro
   const DeviceTuning tuning = readTuning(cache.disk(), planned.m_configuration.device.identity);
   planned.plan(tuning, makeSchedule);
   planned.tuneStages(tuning);
-  std::vector<StageKernel> kernels;
-  const auto add = [&](const std::string& label, const std::vector<KernelUse>& uses) {
-    StageKernel kernel{label, KernelState::Built};
-    for (const KernelUse& use : uses) {
-      if (built.m_programs.find(use.stem, use.options)) continue;
-      const bool cached = cache.has(planned.m_configuration.device, kernelSource(use.stem), use.options);
-      kernel.state = std::min(kernel.state, cached ? KernelState::Cached : KernelState::Missing);
-    }
-    kernels.push_back(std::move(kernel));
+  const std::vector<std::vector<KernelUse>> needed = planned.neededKernels();
+  ProgramShelf shelf = built.m_programs;
+  shelf.expect(joined(needed));
+  const auto stateOf = [&](const KernelUse& use) {
+    if (shelf.find(use)) return KernelState::Built;
+    const ProgramGroup group = shelf.groupOf(use);
+    const bool cached = cache.has(planned.m_configuration.device, group.source(), group.options());
+    return cached ? KernelState::Cached : KernelState::Missing;
   };
-  for (std::size_t i = 0; i < planned.m_schedule.size(); ++i) {
-    Stage& stage = *planned.m_schedule[i].stage;
-    add(stage.label(), kernelUses(stage, planned.m_stageConfigurations[i]));
+  std::vector<StageKernel> kernels;
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    const bool isStage = i < planned.m_schedule.size();
+    StageKernel kernel{isStage ? planned.m_schedule[i].stage->label() : HistoryResampler::kStem,
+                       KernelState::Built};
+    for (const KernelUse& use : needed[i]) kernel.state = std::min(kernel.state, stateOf(use));
+    kernels.push_back(std::move(kernel));
   }
-  if (hasRenderSize(planned.m_configuration.frame))
-    add(HistoryResampler::kStem,
-        kernelUses([&](const KernelBuilder& builder) { planned.m_resampler.build(builder, planned.m_plan); },
-                   planned.m_configuration));
   return kernels;
 }
 
@@ -172,7 +188,7 @@ bool Pipeline::serves(const Configuration& configuration, const MakeSchedule& ma
     tuned.settings = changed.settings;
     tuned.runtime = changed.runtime;
     for (const KernelUse& use : kernelUses(*schedule[i].stage, tuned))
-      if (!m_programs.find(use.stem, use.options)) return false;
+      if (!m_programs.find(use)) return false;
   }
   return makePlan(schedule, changed) == m_plan;
 }

@@ -89,6 +89,8 @@ class Pipeline {
   void buildStages(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
                    const Progress& progress);
   void tuneStages(const DeviceTuning& tuning);
+  /// What the stages, one after the other, and the resampler compile. The stages cannot run until they are built again.
+  std::vector<std::vector<KernelUse>> neededKernels() const;
 
   Configuration m_configuration;
   Size m_renderSize;

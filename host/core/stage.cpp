@@ -1,10 +1,9 @@
 #include "host/core/stage.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <quell/error.hpp>
 
 #include "host/core/imported_images.hpp"
-#include "host/core/kernel_sources.hpp"
 #include "host/core/round_up.hpp"
 
 namespace quell {
@@ -39,32 +38,28 @@ cl::Kernel KernelBuilder::build(const Stage& stage, const std::string& defines) 
 }
 
 cl::Kernel KernelBuilder::build(const std::string& stem, const std::string& defines) const {
-  return compile(stem,
-                 "-cl-std=CL1.2 -D QUELL_LANES=" + std::to_string(m_configuration.device.lanes) + defines);
+  return compile(
+      {stem, "-cl-std=CL1.2 -D QUELL_LANES=" + std::to_string(m_configuration.device.lanes) + defines});
 }
 
-const std::string& kernelSource(const std::string& stem) {
-  const auto found = kernelSources().find(stem);
-  if (found == kernelSources().end()) throw std::logic_error("no kernel source " + stem);
-  return found->second;
+cl::Kernel DeviceKernelBuilder::compile(const KernelUse& use) const {
+  if (!m_shelf.find(use)) buildGroup(m_shelf.groupOf(use));
+  return cl::Kernel(*m_shelf.find(use), use.stem.c_str());
 }
 
-cl::Kernel DeviceKernelBuilder::compile(const std::string& stem, const std::string& options) const {
-  SharedProgram program = m_shelf.find(stem, options);
-  if (!program) {
-    program = m_cache.share(m_context, m_device, configuration().device, stem, kernelSource(stem), options);
-    m_shelf.put(stem, options, program);
+SharedProgram DeviceKernelBuilder::share(const ProgramGroup& group) const {
+  return m_cache.share(m_context, m_device, configuration().device, group.name(), group.source(),
+                       group.options());
+}
+
+void DeviceKernelBuilder::buildGroup(const ProgramGroup& group) const {
+  try {
+    m_shelf.put(group, share(group));
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::BuildFailed || group.kernels.size() == 1) throw;
+    // One by one the compiler names the kernel that it refuses, or takes what it cannot take together.
+    for (const KernelUse& use : group.kernels) m_shelf.put({{use}}, share({{use}}));
   }
-  return cl::Kernel(*program, stem.c_str());
-}
-
-SharedProgram ProgramShelf::find(const std::string& stem, const std::string& options) const {
-  const auto found = m_programs.find({stem, options});
-  return found == m_programs.end() ? nullptr : found->second;
-}
-
-void ProgramShelf::put(const std::string& stem, const std::string& options, SharedProgram program) {
-  m_programs[{stem, options}] = std::move(program);
 }
 
 std::size_t DeviceKernelBuilder::maxWorkGroup(const cl::Kernel& kernel) const {

@@ -3,13 +3,13 @@
 
 #include <array>
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "host/core/bound_kernel.hpp"
 #include "host/core/program_cache.hpp"
+#include "host/core/program_shelf.hpp"
 #include "host/core/schedule.hpp"
 #include "kernels/common/frame_image_params.h"
 #include "kernels/common/reprojection_params.h"
@@ -42,29 +42,15 @@ class KernelBuilder {
   cl::NDRange pixelWorkGroup(const cl::Kernel& kernel) const;
 
  protected:
-  /// `options` are complete here.
-  virtual cl::Kernel compile(const std::string& stem, const std::string& options) const = 0;
+  /// The options are complete here.
+  virtual cl::Kernel compile(const KernelUse& use) const = 0;
 
  private:
   const Configuration& m_configuration;
 };
 
-/// kernels/<stem>.cl with all that it includes.
-const std::string& kernelSource(const std::string& stem);
-
-/// Programs that somebody holds, by kernel function and compile options.
-class ProgramShelf {
- public:
-  /// Null where there is none.
-  SharedProgram find(const std::string& stem, const std::string& options) const;
-  void put(const std::string& stem, const std::string& options, SharedProgram program);
-
- private:
-  std::map<std::pair<std::string, std::string>, SharedProgram> m_programs;
-};
-
-/// Compiles for a device, or takes from a cache what was compiled before, and puts it on the shelf. All arguments must
-/// outlive it.
+/// Takes kernels from the shelf, or compiles for a device, or takes from a cache what was compiled before, and puts that on
+/// the shelf. All arguments must outlive it.
 class DeviceKernelBuilder : public KernelBuilder {
  public:
   DeviceKernelBuilder(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
@@ -74,9 +60,12 @@ class DeviceKernelBuilder : public KernelBuilder {
   std::size_t maxWorkGroup(const cl::Kernel& kernel) const override;
 
  protected:
-  cl::Kernel compile(const std::string& stem, const std::string& options) const override;
+  cl::Kernel compile(const KernelUse& use) const override;
 
  private:
+  SharedProgram share(const ProgramGroup& group) const;
+  void buildGroup(const ProgramGroup& group) const;
+
   const cl::Context& m_context;
   const cl::Device& m_device;
   const ProgramCache& m_cache;

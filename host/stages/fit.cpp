@@ -71,7 +71,7 @@ void Fit::build(const KernelBuilder& builder) {
                                kGpuGroup / lanes);
   group = std::max(group, least);
   for (;; group /= 2) {
-    FIT_GROUP_SIZE = static_cast<int>(group);
+    GROUP_SIZE = static_cast<int>(group);
     KernelStage::build(builder);
     if (builder.maxWorkGroup(m_kernel) >= group) break;
     if (group == least)

@@ -34,7 +34,7 @@ void GramSums::build(const KernelBuilder& builder) {
   // One work-item alone would add up 1024 pixels in one chain, and lose digits.
   if (configuration.device.lanes == 1) group = std::max<std::size_t>(group, 2);
   for (;; group /= 2) {
-    GRAM_GROUP_SIZE = static_cast<int>(group);
+    GROUP_SIZE = static_cast<int>(group);
     KernelStage::build(builder);
     if (group == 1 || builder.maxWorkGroup(m_kernel) >= group) break;
   }

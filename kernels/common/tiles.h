@@ -1,9 +1,16 @@
-// Values of tiles, interpolated bilinearly between their centres; constant beyond the outermost ones.
+// Sums over the rows of tiles, and values of tiles, interpolated bilinearly between their centres; constant beyond the outermost
+// ones.
 #ifndef QUELL_COMMON_TILES_H
 #define QUELL_COMMON_TILES_H
 
 #include "common/lanes.h"
 #include "common/tiles_params.h"
+
+// Of one number for each of a row's pixels.
+QUELL_INLINE float total(float8 v) {
+  const float4 pairs = v.lo + v.hi;
+  return (pairs.x + pairs.y) + (pairs.z + pairs.w);
+}
 
 // Where pixels lie between the centres of tiles.
 typedef struct TileMix {
