@@ -212,11 +212,11 @@ class QUELL_API Denoiser {
 
   /// The same on a thread of the denoiser's own; returns at once. Until isReady() denoise() throws Error(NotPrepared), and
   /// everything else answers as before prepare(). What building throws is thrown by the next isReady() or denoise(), once.
-  /// Destroying the denoiser, or preparing again, cancels and waits for the kernel that is being compiled.
+  /// Destroying the denoiser, or preparing again, cancels and waits for the program that is being compiled.
   void prepareAsync(const Frame& frame, const Output& output, const PrepareOptions& options = {});
   /// Whether denoise() may be called; does not block.
   bool isReady();
-  /// Ends a preparation after the kernel that is being compiled: it throws Error(NotPrepared). From any thread.
+  /// Ends a preparation after the program that is being compiled: it throws Error(NotPrepared). From any thread.
   void cancelPrepare();
   /// What prepare() would have to compile for these layouts, stage by stage; compiles nothing. Throws as memoryNeeded().
   std::vector<StageKernel> kernelStates(const Frame& frame, const Output& output) const;

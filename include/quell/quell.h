@@ -413,7 +413,7 @@ quell_status quellPrepareAsync(quell_denoiser* denoiser, const quell_frame* fram
                                const quell_prepare_options* options);
 /* Writes 1 where quellDenoise may be called, else 0; does not block. Fails once with what quellPrepareAsync failed with. */
 quell_status quellIsReady(quell_denoiser* denoiser, int* ready);
-/* Ends a preparation after the kernel that is being compiled, from any thread: it fails with QUELL_NOT_PREPARED. */
+/* Ends a preparation after the program that is being compiled, from any thread: it fails with QUELL_NOT_PREPARED. */
 quell_status quellCancelPrepare(quell_denoiser* denoiser);
 
 /* Where the machine code of a stage would come from. */

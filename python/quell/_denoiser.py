@@ -90,7 +90,7 @@ class Denoiser:
         return bool(value(lib.quellIsReady, "int", self._handle))
 
     def cancel_prepare(self) -> None:
-        """Ends a preparation after the kernel that is being compiled, from any thread: it raises Error("NotPrepared")."""
+        """Ends a preparation after the program that is being compiled, from any thread: it raises Error("NotPrepared")."""
         check(lib.quellCancelPrepare(self._handle))
 
     def set_settings(self, settings: Settings) -> None:
