@@ -59,13 +59,14 @@ TEST_CASE("demo leaves frames, a page that needs nothing else, and a report", "[
   CHECK(io::readPng(last).width == 3 * kWidth);
   CHECK(io::readPng(last).height == kHeight);
 
-  std::string page = io::readFile(out + "/demo.html");
+  std::string page = io::readFile(out + "/index.html");
   for (const std::string& frame : {first, last}) {
     const std::string uri = "\"data:image/png;base64," + io::base64(io::readFile(frame)) + "\"";
     REQUIRE(page.find(uri) != std::string::npos);
     page.erase(page.find(uri), uri.size());
   }
-  for (const char* text : {"shade", "accumulate_noisy", "frame 1 denoised"})
+  for (const char* text : {"shade", "accumulate_noisy", "frame 1 denoised", "noisy, 1 sample per pixel",
+                           "reference, 4 samples per pixel"})
     CHECK(page.find(text) != std::string::npos);
   // Nothing from elsewhere: no address, no file, no request.
   for (const char* text : {"http:", "https:", "src=", "href=", "<link", "<iframe", "@import", "url(",

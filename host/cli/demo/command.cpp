@@ -25,7 +25,7 @@ namespace {
 constexpr char kCommand[] = "demo";
 constexpr int kMostFrames = 10000;  // four digits in file names
 constexpr int kMostSamples = 1 << 20;
-constexpr char kPageName[] = "demo.html";
+constexpr char kPageName[] = "index.html";
 
 struct DemoArguments {
   MethodArguments method;
@@ -63,6 +63,8 @@ bool wantsReference(const DemoArguments& arguments, int frame) {
   return arguments.referenceFrames == "all" || frame == arguments.frames - 1;
 }
 
+std::string sampleCount(int samples) { return fmt::format("{} sample{}", samples, samples == 1 ? "" : "s"); }
+
 class Demo {
  public:
   explicit Demo(const DemoArguments& arguments)
@@ -90,7 +92,7 @@ class Demo {
     fmt::print("{}", text);
     writeJson(m_arguments.json, json(tracing));
     const std::string page = inOutput(kPageName);
-    io::writeTextFile(page, makeDemoPage({title(), subtitle(), text, m_setup.size, m_sheets}));
+    io::writeTextFile(page, makeDemoPage({title(), subtitle(), text, m_setup.size, paneNames(), m_sheets}));
     fmt::print("\nopen {} in a browser; frames are beside it\n", page);
   }
 
@@ -131,9 +133,9 @@ class Demo {
 
   std::string tracingText(const Timings& tracing) const {
     std::string text = fmt::format(
-        "path tracer, scene {}, {} sample{} per pixel, same context and queue as the denoiser\n\n"
+        "path tracer, scene {}, {} per pixel, same context and queue as the denoiser\n\n"
         "  {:<24}{:>9}{:>9}{:>9}\n",
-        m_setup.scene, m_setup.samples, m_setup.samples == 1 ? "" : "s",
+        m_setup.scene, sampleCount(m_setup.samples),
         fmt::format("kernel ({} time, ms)", toString(tracing.source)), "median", "min", "max");
     const auto row = [&](const std::string& name, const TimeStatistics& time) {
       text += fmt::format("  {:<24}{:>9.2f}{:>9.2f}{:>9.2f}\n", name, time.medianMs, time.minMs, time.maxMs);
@@ -151,13 +153,17 @@ class Demo {
     return result;
   }
 
+  std::vector<std::string> paneNames() const {
+    return {fmt::format("noisy, {} per pixel", sampleCount(m_setup.samples)), "denoised",
+            fmt::format("reference, {} per pixel", sampleCount(2 * m_arguments.referenceSamples))};
+  }
+
   std::string title() const {
     return fmt::format("Quell: {} on {}", m_setup.settings.method(), m_setup.scene);
   }
   std::string subtitle() const {
-    return fmt::format("{}x{}, {} sample{} per pixel, traced and denoised on {}", m_setup.size.width,
-                       m_setup.size.height, m_setup.samples, m_setup.samples == 1 ? "" : "s",
-                       m_pipeline.device().name);
+    return fmt::format("{}x{}, {} per pixel, traced and denoised on {}", m_setup.size.width,
+                       m_setup.size.height, sampleCount(m_setup.samples), m_pipeline.device().name);
   }
 
   const DemoArguments& m_arguments;

@@ -42,6 +42,7 @@ std::string makeDemoPage(const DemoPage& page) {
                          {"report", page.report},
                          {"width", page.size.width},
                          {"height", page.size.height},
+                         {"panes", page.panes},
                          {"millisecondsPerFrame", kMillisecondsPerFrame / kept},
                          {"frames", nlohmann::json::array()}};
   for (const DemoSheet& sheet : sheets)

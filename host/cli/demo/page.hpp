@@ -21,13 +21,14 @@ struct DemoSheet {
 struct DemoPage {
   std::string title;
   std::string subtitle;
-  std::string report;  ///< preformatted text
-  Size size;           ///< of one picture
+  std::string report;              ///< preformatted text
+  Size size;                       ///< of one picture
+  std::vector<std::string> panes;  ///< what is side by side on a sheet, from the left
   std::vector<DemoSheet> sheets;
 };
 
 /// PNG bytes on a page: enough for an animation, small enough to send around.
-constexpr std::size_t kMostPageBytes = 8u << 20;
+constexpr std::size_t kMostPageBytes = 16u << 20;
 
 /// Every k-th sheet and the last, with the smallest k >= 1 for which they take at most `mostBytes` together; one at
 /// least.
