@@ -49,7 +49,7 @@ Prepared runPreparation(PreparationJob job, const std::atomic<bool>& cancelled) 
   // Of our own: what the caller enqueues in the meantime neither waits nor is waited for.
   const cl::CommandQueue queue(job.context, job.device, job.queueProperties);
   const bool keep = job.options.keepHistory && job.former.frameIndex > 0;
-  const ProgramShelf held = job.former.pipeline.programs();  // what comes again is not compiled again
+  ProgramShelf held = job.former.pipeline.programs();  // what comes again is not compiled again
   if (!keep) job.former.pipeline = Pipeline();
   Configuration& configuration = job.configuration;
   needTables(configuration);
@@ -57,8 +57,8 @@ Prepared runPreparation(PreparationJob job, const std::atomic<bool>& cancelled) 
     table = FBetaTable(job.context, job.device, queue, configuration.device, job.cache, Shadowing::Separable)
                 .buffer();
   Prepared made;
-  made.pipeline =
-      Pipeline(job.context, job.device, queue, job.cache, configuration, job.method->makeSchedule, progress);
+  made.pipeline = Pipeline(job.context, job.device, queue, job.cache, configuration, job.method->makeSchedule,
+                           std::move(held), progress);
   made.deviceTimes = FrameTimer::hasDeviceTimes(made.pipeline.warmUp(job.context, queue, progress));
   if (keep && carryHistory(queue, job.former.pipeline, made.pipeline,
                            static_cast<int>((job.former.frameIndex - 1) % 2)))

@@ -27,8 +27,10 @@ std::vector<KernelUse> joined(const std::vector<std::vector<KernelUse>>& lists) 
 
 Pipeline::Pipeline(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue,
                    const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule,
-                   const Progress& progress)
-    : m_configuration(std::move(configuration)), m_renderSize(m_configuration.size()) {
+                   ProgramShelf held, const Progress& progress)
+    : m_configuration(std::move(configuration)),
+      m_renderSize(m_configuration.size()),
+      m_programs(std::move(held)) {
   const DeviceTuning tuning = readTuning(cache.disk(), m_configuration.device.identity);
   plan(tuning, makeSchedule);
   tuneStages(tuning);

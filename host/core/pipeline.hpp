@@ -23,12 +23,12 @@ class Pipeline {
   /// stage); what it throws ends the work.
   using Progress = std::function<void(const std::string& stage, int done, int total)>;
 
-  /// Compiles and allocates; blocks. What was measured on the device decides on pixels per work-item. Throws
+  /// Compiles what `held` lacks and allocates; blocks. What was measured on the device decides on pixels per work-item. Throws
   /// Error(InvalidArgument) for an unknown name among Options::keptBuffers, Error(BuildFailed), Error(OutOfMemory), and
   /// std::logic_error as makePlan().
   Pipeline(const cl::Context& context, const cl::Device& device, const cl::CommandQueue& queue,
            const ProgramCache& cache, Configuration configuration, const MakeSchedule& makeSchedule,
-           const Progress& progress = {});
+           ProgramShelf held = {}, const Progress& progress = {});
 
   /// Runs every stage once on stand-ins, since machine code is often made at the first launch; blocks. The last event, and
   /// histories that hold what came of it.

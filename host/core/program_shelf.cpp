@@ -1,6 +1,7 @@
 #include "host/core/program_shelf.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace quell {
 
@@ -14,9 +15,15 @@ void ProgramShelf::put(const ProgramGroup& group, const SharedProgram& program) 
 }
 
 void ProgramShelf::expect(const std::vector<KernelUse>& uses) {
+  std::map<KernelUse, SharedProgram> kept;
   std::vector<KernelUse> missing;
-  for (const KernelUse& use : uses)
-    if (!find(use)) missing.push_back(use);
+  for (const KernelUse& use : uses) {
+    if (SharedProgram program = find(use))
+      kept[use] = std::move(program);
+    else
+      missing.push_back(use);
+  }
+  m_programs = std::move(kept);
   m_expected = groupKernels(missing);
 }
 

@@ -16,7 +16,7 @@ class ProgramShelf {
   SharedProgram find(const KernelUse& use) const;
   void put(const ProgramGroup& group, const SharedProgram& program);
 
-  /// What will be asked for soon: those that are not here are compiled in groups.
+  /// All that will be asked for: what is missing is compiled in groups, other programs go.
   void expect(const std::vector<KernelUse>& uses);
   /// What to compile for this kernel: the group that was expected, else it alone.
   ProgramGroup groupOf(const KernelUse& use) const;

@@ -2,6 +2,7 @@
 #include "host/core/program_groups.hpp"
 
 #include <catch2/catch.hpp>
+#include <memory>
 #include <set>
 
 #include "host/core/kernel_uses.hpp"
@@ -58,6 +59,19 @@ TEST_CASE("kernels share no program where an option would change the other", "[c
   CHECK(groupCount({fit, with(kSums, " -D QUELL_FEATURE_LIST=")}) == 2);
   // Layouts of images change more often than other options.
   CHECK(groupCount({with(kSums, " -D RADIANCE_FORMAT=1"), kWeight}) == 2);
+}
+
+TEST_CASE("what is held already stays out of the groups, and what nobody needs any more goes", "[core]") {
+  const KernelUse follow = with({"follow_change", kFlags}, " -D QUELL_SIGNALS=1 -D SKIP=1");
+  ProgramShelf shelf;
+  const auto program = std::make_shared<const cl::Program>();
+  shelf.put({{kSums}}, program);
+  shelf.put({{follow}}, std::make_shared<const cl::Program>());
+  shelf.expect({kSums, kWeight});
+  CHECK(shelf.find(kSums) == program);
+  CHECK(shelf.find(follow) == nullptr);
+  CHECK(shelf.groupOf(kWeight).kernels == std::vector<KernelUse>{kWeight});
+  CHECK(shelf.groupOf(follow).kernels == std::vector<KernelUse>{follow});  // not expected: alone
 }
 
 TEST_CASE("every method's groups compile as they are", "[core]") {
