@@ -64,15 +64,23 @@ quell_status quellCancelPrepare(quell_denoiser* denoiser) {
   });
 }
 
-quell_status quellGetStageKernel(quell_denoiser* denoiser, const quell_frame* frame,
-                                 const quell_output* output, size_t index, quell_stage_kernel* kernel) {
+quell_status quellCountStageKernels(quell_denoiser* denoiser, const quell_frame* frame,
+                                    const quell_output* output, size_t* count) {
+  return guarded("quellCountStageKernels", [&] {
+    require(denoiser, "quellCountStageKernels", "denoiser");
+    require(count, "quellCountStageKernels", "count");
+    denoiser->kernels = denoiser->denoiser.kernelStates(toFrame(frame, "quellCountStageKernels"),
+                                                        toOutput(output, "quellCountStageKernels"));
+    *count = denoiser->kernels.size();
+  });
+}
+
+quell_status quellGetStageKernel(const quell_denoiser* denoiser, size_t index, quell_stage_kernel* kernel) {
   return guarded("quellGetStageKernel", [&] {
     require(denoiser, "quellGetStageKernel", "denoiser");
-    const std::vector<quell::StageKernel> kernels = denoiser->denoiser.kernelStates(
-        toFrame(frame, "quellGetStageKernel"), toOutput(output, "quellGetStageKernel"));
-    requireIndex(index, kernels.size(), "quellGetStageKernel", "index");
-    denoiser->stage = kernels[index].stage;
-    writeStruct(kernel, {0, denoiser->stage.c_str(), static_cast<quell_kernel_state>(kernels[index].state)},
+    requireIndex(index, denoiser->kernels.size(), "quellGetStageKernel", "index");
+    const quell::StageKernel& found = denoiser->kernels[index];
+    writeStruct(kernel, {0, found.stage.c_str(), static_cast<quell_kernel_state>(found.state)},
                 "quellGetStageKernel", "kernel");
   });
 }

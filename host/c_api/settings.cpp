@@ -139,10 +139,18 @@ quell_status quellGetSettingNumber(const quell_settings* settings, const char* n
   });
 }
 
-quell_status quellGetInputNeed(quell_settings* settings, size_t index, quell_input_need* need) {
+quell_status quellCountInputNeeds(quell_settings* settings, size_t* count) {
+  return guarded("quellCountInputNeeds", [&] {
+    require(settings, "quellCountInputNeeds", "settings");
+    require(count, "quellCountInputNeeds", "count");
+    settings->needs = quell::inputNeeds(settings->settings);
+    *count = settings->needs.size();
+  });
+}
+
+quell_status quellGetInputNeed(const quell_settings* settings, size_t index, quell_input_need* need) {
   return guarded("quellGetInputNeed", [&] {
     require(settings, "quellGetInputNeed", "settings");
-    settings->needs = quell::inputNeeds(settings->settings);
     requireIndex(index, settings->needs.size(), "quellGetInputNeed", "index");
     const quell::InputNeed& found = settings->needs[index];
     writeStruct(need,

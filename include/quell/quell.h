@@ -184,9 +184,11 @@ typedef struct quell_input_need {
   const char* without; /* what counts without it */
 } quell_input_need;
 
-/* Which images a method reads with these settings, from 0 on in the order of frame_images.h; needs no device. Texts live
- * until the next call for the same settings. QUELL_INVALID_ARGUMENT for an index behind the last image. */
-quell_status quellGetInputNeed(quell_settings* settings, size_t index, quell_input_need* need);
+/* Which images a method reads with these settings: how many there are to ask about; needs no device. */
+quell_status quellCountInputNeeds(quell_settings* settings, size_t* count);
+/* One of them, in the order of frame_images.h; needs quellCountInputNeeds first, until whose next call for the same settings
+ * texts live. QUELL_INVALID_ARGUMENT behind the last. */
+quell_status quellGetInputNeed(const quell_settings* settings, size_t index, quell_input_need* need);
 /* The text lives as long as the settings. */
 quell_status quellGetSettingsMethod(const quell_settings* settings, const char** method);
 
@@ -385,10 +387,10 @@ quell_status quellCreateDenoiser(cl_context context, cl_device_id device, cl_com
  * allowed. */
 void quellDestroyDenoiser(quell_denoiser* denoiser);
 
-/* Builds all kernels for these layouts, allocates all memory and warms up; blocks. Memory may be NULL here. May be
- * called again for other sizes or layouts; the history and the times are reset. Waits for pending frames, so what these
- * wait for must not depend on this thread. After a failure, also over arguments (a size of 0x0), nothing is prepared any
- * more. */
+/* Builds all kernels for these layouts, allocates all memory and warms up; blocks. Memory may be NULL here;
+ * what is given is checked. May be called again for other sizes or layouts; the history and the times are reset. Waits for
+ * pending frames, so what these wait for must not depend on this thread. Arguments that it refuses, such as the 0x0 of a
+ * minimised window, change nothing; after a failure to build nothing is prepared any more. */
 quell_status quellPrepare(quell_denoiser* denoiser, const quell_frame* frame, const quell_output* output);
 
 /* How far a preparation is: what has been built or launched last, and steps. Called on the thread that prepares; may call
@@ -427,13 +429,14 @@ enum {
 /* The kernels of one stage. */
 typedef struct quell_stage_kernel {
   size_t structSize;        /* set by QUELL_INIT */
-  const char* stage;        /* lives until the next quellGetStageKernel of this denoiser */
+  const char* stage;        /* lives until the next quellCountStageKernels of this denoiser */
   quell_kernel_state state; /* of that kernel of the stage which is furthest from being built */
 } quell_stage_kernel;
-/* What quellPrepare would have to compile for these layouts, from 0 on; QUELL_INVALID_ARGUMENT for an index behind the
- * last stage. Compiles nothing. */
-quell_status quellGetStageKernel(quell_denoiser* denoiser, const quell_frame* frame,
-                                 const quell_output* output, size_t index, quell_stage_kernel* kernel);
+/* What quellPrepare would have to compile for these layouts: how many stages there are. Compiles nothing. */
+quell_status quellCountStageKernels(quell_denoiser* denoiser, const quell_frame* frame,
+                                    const quell_output* output, size_t* count);
+/* One of these stages, as it was then; needs quellCountStageKernels first. QUELL_INVALID_ARGUMENT behind the last. */
+quell_status quellGetStageKernel(const quell_denoiser* denoiser, size_t index, quell_stage_kernel* kernel);
 
 /* Takes other values from the next frame on; the history stays, nothing blocks. QUELL_NOT_PREPARED, naming the settings
  * that need quellPrepareWith, changes nothing. */

@@ -8,7 +8,7 @@ import numpy as np
 from ._arrays import ArrayImages
 from ._devices import make_queue
 from ._images import OUTPUTS, Camera, Frame, Output
-from ._library import Error, check, enumerator, ffi, filled, handle, lib, new, text, value
+from ._library import check, enumerator, ffi, filled, handle, lib, new, text, value
 from ._reports import BackgroundMap, CaptureState, FrameCheck, read_check, read_timings
 from ._settings import Settings, as_settings
 
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 _TIMERS = ("off", "device", "host")
 _KERNEL_STATES = ("missing", "cached", "built")  # as QUELL_KERNEL_MISSING and so on
-_MOST_STAGES = 1000
 Progress = Callable[[str, int, int], None]
 
 _MAPPINGS = ("automatic", "narrow", "wide", "wide_4", "wide_8", "wide_16")
@@ -107,15 +106,8 @@ class Denoiser:
         """Where prepare() would have the machine code of each stage from, by the stage's label: "missing" (is compiled),
         "cached" (on disk or in this process) or "built" (by this denoiser). Compiles nothing."""
         states = {}
-        frame_struct, output_struct = frame._struct(), output._struct()
-        for index in range(_MOST_STAGES):
-            try:
-                kernel = filled(lib.quellGetStageKernel, "quell_stage_kernel", self._handle, frame_struct, output_struct,
-                                index)
-            except Error as error:
-                if index > 0 and error.buffer == "index":
-                    break
-                raise
+        for index in range(value(lib.quellCountStageKernels, "size_t", self._handle, frame._struct(), output._struct())):
+            kernel = filled(lib.quellGetStageKernel, "quell_stage_kernel", self._handle, index)
             states[text(kernel.stage)] = _KERNEL_STATES[kernel.state]
         return states
 

@@ -124,11 +124,9 @@ class Settings(MutableMapping[str, Value]):
 
     def input_needs(self) -> Dict[str, InputNeed]:
         """Which images the method reads with these settings; needs no device."""
-        from ._images import INPUTS  # which needs nothing of this module, but stands above it
-
         uses = {lib.QUELL_UNUSED: "unused", lib.QUELL_OPTIONAL: "optional", lib.QUELL_REQUIRED: "required"}
         needs = {}
-        for index in range(len(INPUTS)):
+        for index in range(value(lib.quellCountInputNeeds, "size_t", self._handle)):
             need = filled(lib.quellGetInputNeed, "quell_input_need", self._handle, index)
             needs[text(need.image)] = InputNeed(uses[need.use], text(need.without))
         return needs

@@ -90,6 +90,10 @@ TEST_CASE("C asks what a method reads", "[core]") {
   const std::vector<InputNeed> needs = inputNeeds(Settings());
   quell_input_need need;
   QUELL_INIT(need);
+  checkError(quellGetInputNeed(settings.settings, 0, &need), QUELL_INVALID_ARGUMENT, "index");
+  std::size_t count = 0;
+  REQUIRE(quellCountInputNeeds(settings.settings, &count) == QUELL_SUCCESS);
+  CHECK(count == needs.size());
   for (std::size_t i = 0; i < needs.size(); ++i) {
     REQUIRE(quellGetInputNeed(settings.settings, i, &need) == QUELL_SUCCESS);
     CHECK(need.image == needs[i].image);

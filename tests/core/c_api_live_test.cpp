@@ -36,9 +36,15 @@ TEST_CASE("preparing on a thread, other settings and another queue work through 
 
   quell_stage_kernel kernel;
   QUELL_INIT(kernel);
-  REQUIRE(quellGetStageKernel(denoiser, &frame, &output, 0, &kernel) == QUELL_SUCCESS);
-  CHECK(kernel.state == QUELL_KERNEL_BUILT);
-  CHECK(quellGetStageKernel(denoiser, &frame, &output, 99, &kernel) == QUELL_INVALID_ARGUMENT);
+  std::size_t stages = 0;
+  REQUIRE(quellCountStageKernels(denoiser, &frame, &output, &stages) == QUELL_SUCCESS);
+  CHECK(stages > 8);
+  for (std::size_t i = 0; i < stages; ++i) {
+    REQUIRE(quellGetStageKernel(denoiser, i, &kernel) == QUELL_SUCCESS);
+    CHECK(kernel.state == QUELL_KERNEL_BUILT);
+  }
+  CHECK(std::string(kernel.stage) == "temporal_antialiasing");
+  checkError(quellGetStageKernel(denoiser, stages, &kernel), QUELL_INVALID_ARGUMENT, "index");
 
   quell_frame part = frame;
   part.renderWidth = 20;

@@ -14,6 +14,7 @@ build_against_prefix() {
 build_against_prefix "$source" "$2/cxx"
 build_against_prefix "$source/c" "$2/c"
 "$2/cxx/queues"
+"$2/c/frame_loop"
 for program in "$2"/cxx/first_frame* "$2"/c/first_frame*; do
   [ -d "$program" ] || "$program"
 done
