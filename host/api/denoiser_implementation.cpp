@@ -49,20 +49,18 @@ bool Denoiser::Implementation::isReady() {
   return m_prepared;
 }
 
-// What is wrong with the arguments is thrown before anything is dropped, but leaves nothing prepared either.
+// What is wrong with the arguments is thrown before anything changes.
 PreparationJob Denoiser::Implementation::jobFor(const Frame& frame, const Output& output,
                                                 const PrepareOptions& options) {
+  Configuration wanted = configurationFor(
+      options.settings ? configurationWith(*options.settings) : m_configuration, frame, output);
+  wanted.tables.clear();
+  if (frame.camera.worldToClip != Matrix4{}) checkPerspective("prepare", frame);
   m_preparation.reset();
   m_cancelled = false;
   m_historyIsKept = options.keepHistory;
   FormerFrames former = takeFormerFrames();
-  if (options.settings) {
-    const Configuration changed = configurationWith(*options.settings);
-    m_configuration.settings = changed.settings;
-    m_configuration.runtime = changed.runtime;
-  }
-  m_configuration = configurationFor(frame, output);
-  if (frame.camera.worldToClip != Matrix4{}) checkPerspective("prepare", frame);
+  m_configuration = std::move(wanted);
   return {m_context,         m_device,  m_queue.getInfo<CL_QUEUE_PROPERTIES>(),
           m_cache,           &m_method, m_configuration,
           std::move(former), options};
@@ -78,7 +76,6 @@ FormerFrames Denoiser::Implementation::takeFormerFrames() {
   m_content = Content();
   m_contentKnown = false;
   m_pipeline = Pipeline();
-  m_configuration.tables.clear();
   return former;
 }
 
@@ -93,10 +90,10 @@ void Denoiser::Implementation::adopt(Prepared prepared) {
   m_prepared = true;
 }
 
-Configuration Denoiser::Implementation::configurationFor(const Frame& frame, const Output& output) const {
+Configuration Denoiser::Implementation::configurationFor(Configuration configuration, const Frame& frame,
+                                                         const Output& output) const {
   checkLayout(frame, output);
   checkKinds("prepare", frame, output, m_device, m_context());
-  Configuration configuration = m_configuration;
   configuration.frame = frame;
   configuration.output = output;
   resolveImageObjects(configuration.frame, configuration.output);
@@ -116,14 +113,14 @@ Configuration Denoiser::Implementation::configurationWith(const Settings& settin
 }
 
 MemoryUse Denoiser::Implementation::memoryNeeded(const Frame& frame, const Output& output) const {
-  Configuration configuration = configurationFor(frame, output);
+  Configuration configuration = configurationFor(m_configuration, frame, output);
   needTables(configuration);
   return Pipeline::memoryNeeded(m_cache, std::move(configuration), m_method.makeSchedule);
 }
 
 std::vector<StageKernel> Denoiser::Implementation::kernelStates(const Frame& frame,
                                                                 const Output& output) const {
-  Configuration configuration = configurationFor(frame, output);
+  Configuration configuration = configurationFor(m_configuration, frame, output);
   needTables(configuration);
   return Pipeline::kernelStates(m_pipeline, m_cache, std::move(configuration), m_method.makeSchedule);
 }

@@ -59,7 +59,7 @@ class QUELL_HIDDEN Denoiser::Implementation {
   FormerFrames takeFormerFrames();
   PreparationJob jobFor(const Frame& frame, const Output& output, const PrepareOptions& options);
   void adopt(Prepared prepared);
-  Configuration configurationFor(const Frame& frame, const Output& output) const;
+  Configuration configurationFor(Configuration configuration, const Frame& frame, const Output& output) const;
   Configuration configurationWith(const Settings& settings) const;
   void startTimer(bool deviceTimes);
   void forgetFailedFrame();

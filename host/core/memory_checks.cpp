@@ -99,6 +99,14 @@ void checkKind(const char* function, const NamedView& named) {
          got);
 }
 
+void checkBytes(const char* function, const NamedView& named, Size size) {
+  const auto bytes = memoryInfo<std::size_t>(function, named, CL_MEM_SIZE);
+  if (bytes < named.view->requiredBytes(size))
+    refuse(function, ErrorCode::InvalidArgument, named.name,
+           "at least " + std::to_string(named.view->requiredBytes(size)) + " bytes for " + sizeText(size),
+           std::to_string(bytes) + " bytes");
+}
+
 void checkMemoryOf(const char* function, const NamedView& named, Size size, cl_context context) {
   if (named.view->memory == nullptr)
     refuse(function, ErrorCode::InvalidArgument, named.name,
@@ -114,12 +122,7 @@ void checkMemoryOf(const char* function, const NamedView& named, Size size, cl_c
            named.output ? "CL_MEM_READ_ONLY" : "CL_MEM_WRITE_ONLY");
   }
   if (named.view->isImageObject()) return checkTexels(function, named, size);
-  const auto bytes = memoryInfo<std::size_t>(function, named, CL_MEM_SIZE);
-  if (bytes < named.view->requiredBytes(size)) {
-    refuse(function, ErrorCode::InvalidArgument, named.name,
-           "at least " + std::to_string(named.view->requiredBytes(size)) + " bytes for " + sizeText(size),
-           std::to_string(bytes) + " bytes");
-  }
+  checkBytes(function, named, size);
 }
 
 }  // namespace
@@ -140,8 +143,12 @@ void checkKinds(const char* function, const Frame& frame, const Output& output, 
       refuse(function, ErrorCode::InvalidArgument, named.name, "a buffer, since the device has no images",
              "an image object");
     if (named.view->memory == nullptr) continue;
-    checkKind(function, named);
-    if (isObject) checkMemoryOf(function, named, renderedSize(frame), context);
+    if (isObject) {
+      checkMemoryOf(function, named, renderedSize(frame), context);
+    } else {
+      checkKind(function, named);
+      checkBytes(function, named, renderedSize(frame));
+    }
   }
 }
 

@@ -12,8 +12,8 @@ namespace quell {
 /// `function`, which the caller called. Throws Error(InvalidArgument) or Error(WrongContext).
 void checkMemory(const char* function, const Frame& frame, const Output& output, cl_context context);
 
-/// What prepare() can know: memory that is given is a buffer or an image object as its view says, image objects that are
-/// given are as above, and the device has images if there are any. Throws so.
+/// What prepare() can know: the device has images if there are any; image objects that are given are as above, buffers large
+/// enough, of whatever context. Throws so.
 void checkKinds(const char* function, const Frame& frame, const Output& output, const cl::Device& device,
                 cl_context context);
 

@@ -206,8 +206,8 @@ class QUELL_API Denoiser {
 
   /// Builds every kernel for the layouts of these images, allocates all memory and launches every kernel once
   /// at its final work-group size, so that no frame pays for it. Blocks. The images' memory may be null here:
-  /// only layouts count; of image objects that are given the formats are checked. May be called again with another size or
-  /// layout; the history is reset. If it throws, the denoiser is as if never prepared.
+  /// only layouts count, but what is given is checked. May be called again with another size or layout; the history is
+  /// reset. Arguments that it refuses change nothing; if building fails, the denoiser is as if never prepared.
   void prepare(const Frame& frame, const Output& output, const PrepareOptions& options = {});
 
   /// The same on a thread of the denoiser's own; returns at once. Until isReady() denoise() throws Error(NotPrepared), and

@@ -113,6 +113,30 @@ TEST_CASE("programs are shared while somebody holds them", "[core]") {
   CHECK(ProgramCache::counters().fromDisk == before.fromDisk);
 }
 
+TEST_CASE("arguments that prepare() refuses change nothing", "[core]") {
+  SmallDenoiser untouched;
+  const Picture expected = untouched.run(0, 4);
+  SmallDenoiser small;
+  small.run(0, 3);
+  PrepareOptions others;
+  others.settings = Settings();
+  others.settings->set("taa", "off");
+  Frame minimised = small.buffers.frame;
+  minimised.size = {0, 0};
+  checkRefused({ErrorCode::InvalidArgument, "prepare", "size", "1x1", "0x0"},
+               [&] { small.denoiser.prepare(minimised, small.buffers.output, others); });
+  checkRefused({ErrorCode::InvalidArgument, "prepare", "size", "1x1", "0x0"},
+               [&] { small.denoiser.prepareAsync(minimised, small.buffers.output, others); });
+  const cl::Buffer tooSmall(small.device.context, CL_MEM_READ_WRITE, 100);
+  Frame broken = small.buffers.frame;
+  broken.normalWorld.memory = tooSmall();
+  checkRefused(
+      {ErrorCode::InvalidArgument, "prepare", "normalWorld", "at least 9324 bytes for 37x21", "100 bytes"},
+      [&] { small.denoiser.prepare(broken, small.buffers.output); });
+  CHECK(small.denoiser.settings().isOn("taa"));
+  CHECK(small.run(4) == expected);
+}
+
 TEST_CASE("preparing again may keep the history", "[core]") {
   SmallDenoiser untouched;
   const Picture expected = untouched.run(0, 4);

@@ -1,5 +1,4 @@
-// Layouts that prepare() refuses. After any of them the denoiser is as if never prepared, and can be prepared
-// again.
+// Layouts that prepare() refuses. After any of them the denoiser is as it was before.
 #include <functional>
 #include <limits>
 
@@ -20,16 +19,15 @@ Refusal invalid(const std::string& buffer, const std::string& expected, const st
 // One by one on the same denoiser.
 void checkAll(const std::vector<Spoiled>& cases) {
   SmallDenoiser small;
+  const std::size_t bytes = small.denoiser.memoryUse().totalBytes;
   for (const Spoiled& spoiled : cases) {
     Frame frame = small.buffers.frame;
     Output output = small.buffers.output;
     spoiled.spoil(frame, output);
     INFO(spoiled.refusal.buffer << " " << spoiled.refusal.got);
     checkRefused(spoiled.refusal, [&] { small.denoiser.prepare(frame, output); });
-    CHECK(small.denoiser.memoryUse().totalBytes == 0);
-    checkRefused({ErrorCode::NotPrepared, "denoise", "", "prepare()", "none"}, [&] { small.enqueue(); });
+    CHECK(small.denoiser.memoryUse().totalBytes == bytes);
   }
-  small.denoiser.prepare(small.buffers.frame, small.buffers.output);
   checkStillWorks(small);
 }
 
