@@ -13,6 +13,7 @@
 #include "host/io/image_sources.hpp"
 #include "host/io/light_remainder.hpp"
 #include "host/io/multilayer_camera.hpp"
+#include "host/io/position_depth.hpp"
 #include "host/io/ray_depth.hpp"
 #include "host/io/sequence_files.hpp"
 
@@ -98,10 +99,7 @@ void MultilayerSequence::requireImages() const {
   if (m_signals == 2)
     for (const char* factor : {"albedo", "gloss_color"}) m_files.require(factor);
   if (!m_cameras.empty() || m_headerCameras) return;
-  for (const char* image : {kPosition, kDepth}) m_files.require(image, ", or camera.json beside the files");
-  if (!depthShowsCamera())
-    throwFileError(kStage, m_name, "camera.json beside the files, or depth along the view axis or along rays",
-                   fmt::format("depth of the kind {}", toString(depthKind())));
+  m_files.require(kPosition, ", or camera.json beside the files");
 }
 
 Image MultilayerSequence::readOne(int frame, const char* image) const {
@@ -111,13 +109,11 @@ Image MultilayerSequence::readOne(int frame, const char* image) const {
   return m_files.read(files, unwatched, image);
 }
 
-bool MultilayerSequence::depthShowsCamera() const {
-  return depthKind() == DepthKind::View || depthKind() == DepthKind::Ray;
-}
-
 DepthKind MultilayerSequence::depthKind() const { return m_files.kindOf(kDepth).depth; }
 
 Image MultilayerSequence::viewDepth(int frame, const Image& positions) const {
+  const bool known = m_files.has(kDepth) && (depthKind() == DepthKind::View || depthKind() == DepthKind::Ray);
+  if (!known) return viewDepthFromPositions(positions, readOne(frame, kNormal));
   Image depth = readOne(frame, kDepth);
   if (depthKind() == DepthKind::View) return depth;
   auto view = viewDepthFromRays(positions, depth);
@@ -137,8 +133,7 @@ const FoundCamera& MultilayerSequence::foundCamera(int frame) const {
   FoundCamera found;
   const Image positions = m_files.has(kPosition) ? readOne(frame, kPosition) : Image();
   if (m_headerCameras) found.worldToClip = headerCamera(frame, positions);
-  const bool follows = !positions.empty() && m_files.has(kDepth) && depthShowsCamera();
-  if (!found.worldToClip && !follows)
+  if (!found.worldToClip && positions.empty())
     throwFileError("read frame", m_files.fileOf(frame),
                    "a camera in the header that puts positions at their pixels",
                    "one that does not; camera.json beside the file would tell");
@@ -171,7 +166,7 @@ void MultilayerSequence::setCamera(FrameData& data) const {
   if (foundCamera(frame).worldToClip) return;
   const auto last = lastFrameWithCamera(frame);
   data.warnings.push_back({FrameWarning::Kind::Camera, m_files.fileOf(frame),
-                           "camera.json, or a perspective camera that follows from Position and Depth",
+                           "camera.json, or a perspective camera that follows from positions",
                            foundCamera(frame).failure,
                            (last ? fmt::format("goes on with that of frame {}", *last)
                                  : std::string("goes on with one made up, mostly without history")) +

@@ -6,8 +6,9 @@
 // colour stays in the picture (light_remainder.hpp).
 //
 // The camera comes from camera.json beside the files (camera_file.hpp), whose frame numbers are those of the file names, or
-// from the headers of the files (exr_camera.hpp). Without, it follows from position and depth: each is a linear function
-// of the other, up to the pixel; distances along rays do as well (ray_depth.hpp). Motion is turned to that of the contract
+// from the headers of the files (exr_camera.hpp). Without, it follows from positions, and best from position and depth:
+// each is a linear function of the other, up to the pixel; distances along rays (ray_depth.hpp) and positions alone
+// (position_depth.hpp) do as well. Motion is turned to that of the contract
 // (motion_kind.hpp). Alpha of the colour is kept beside the frame.
 #pragma once
 
@@ -56,7 +57,6 @@ class MultilayerSequence final : public FrameSequence {
   Image readPositions(OpenFiles& files, FrameData& data) const;
   void readMotion(FrameData& data) const;
   DepthKind depthKind() const;
-  bool depthShowsCamera() const;  ///< its kind, beside positions
   /// For cameras that follow from it.
   Image viewDepth(int frame, const Image& positions) const;
   const FoundCamera& foundCamera(int frame) const;

@@ -8,14 +8,13 @@
 #include <vector>
 
 #include "host/io/depth_kind.hpp"
+#include "host/io/least_squares.hpp"
 #include "host/io/multilayer_camera.hpp"
 
 namespace quell::io {
 namespace {
 
 constexpr std::size_t kUnknowns = 5;
-/// Pivots below this share of the first are those of a system that does not tell.
-constexpr double kLeastPivot = 1e-10;
 /// Distances that differ from the eye's by more than so many medians count for nothing the next time.
 constexpr double kNearMedians = 4.0;
 constexpr int kRefinements = 2;
@@ -23,7 +22,6 @@ constexpr int kRefinements = 2;
 constexpr double kMostApart = 1.1, kRounding = 0.01;
 
 using Vector3 = std::array<double, 3>;
-using Row = std::array<double, kUnknowns + 1>;  // coefficients, then the right side
 
 struct Surface {
   int x, y;
@@ -41,39 +39,6 @@ Vector3 unit(const Vector3& a) {
 Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-
-/// Normal equations of least squares.
-class LeastSquares {
- public:
-  void add(const Row& row) {
-    for (std::size_t i = 0; i < kUnknowns; ++i)
-      for (std::size_t j = 0; j <= kUnknowns; ++j) m_rows[i][j] += row[i] * row[j];
-  }
-
-  std::optional<std::array<double, kUnknowns>> solve() {
-    double first = 0.0;
-    for (std::size_t column = 0; column < kUnknowns; ++column) {
-      const auto pivot = std::max_element(
-          m_rows.begin() + std::ptrdiff_t(column), m_rows.end(),
-          [column](const Row& a, const Row& b) { return std::abs(a[column]) < std::abs(b[column]); });
-      std::swap(*pivot, m_rows[column]);
-      const double size = std::abs(m_rows[column][column]);
-      first = std::max(first, size);
-      if (!(size > kLeastPivot * first)) return std::nullopt;  // true for NaN
-      for (std::size_t row = 0; row < kUnknowns; ++row) {
-        if (row == column) continue;
-        const double factor = m_rows[row][column] / m_rows[column][column];
-        for (std::size_t i = column; i <= kUnknowns; ++i) m_rows[row][i] -= factor * m_rows[column][i];
-      }
-    }
-    std::array<double, kUnknowns> solution;
-    for (std::size_t i = 0; i < kUnknowns; ++i) solution[i] = m_rows[i][kUnknowns] / m_rows[i][i];
-    return solution;
-  }
-
- private:
-  std::array<Row, kUnknowns> m_rows{};
-};
 
 /// Divides by the extent of the positions, which it returns; 0 where they have none.
 double normalize(std::vector<Surface>& surfaces) {
@@ -111,7 +76,7 @@ std::optional<Vector3> findEye(std::vector<Surface>& surfaces) {
   leaveOutImpossible(surfaces);
   std::optional<Vector3> eye;
   for (int round = 0; round <= kRefinements; ++round) {
-    LeastSquares squares;
+    LeastSquares<kUnknowns> squares;
     for (const Surface& s : surfaces)
       if (s.counts)
         squares.add({2.0 * s.position[0], 2.0 * s.position[1], 2.0 * s.position[2], 2.0 * s.distance, 1.0,
@@ -146,7 +111,7 @@ std::optional<Vector3> findAxis(const std::vector<Surface>& surfaces, const Vect
   const Vector3 up = cross(right, mean);
   Vector3 axis = mean;
   for (const bool columns : {true, false}) {
-    LeastSquares squares;
+    LeastSquares<kUnknowns> squares;
     for (const Surface& s : surfaces) {
       if (!s.counts) continue;
       const Vector3 ray = unit(minus(s.position, eye));
