@@ -44,6 +44,33 @@ TEST_CASE("denoise writes PFM, the history before the filter, and a multilayer f
     REQUIRE(first.pixels[i] == Approx(noisy.pixels[i]).epsilon(1e-3).margin(1e-4));
 }
 
+TEST_CASE("what --preroll takes in is not written, and counts as if it were", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::string whole = directory.file("whole"), part = directory.file("part");
+  const auto denoise = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"denoise", "--input",  kData, "--exr", "--accumulated", "--output",
+                                          out,       "--timers", "off", "--set", "taa=on",        "--frames"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return errorStreamOf(arguments, 0, directory.file("stderr"));
+  };
+  denoise(whole, {"4-7"});
+  const std::string silent = denoise(part, {"7", "--preroll", "3"});
+  for (const char* picture : {"denoised", "display", "accumulated"}) {
+    INFO(picture);
+    const std::string file = std::string("/") + picture + "_0007.exr";
+    CHECK(samePixels(io::readExr(part + file), io::readExr(whole + file)));
+    CHECK_FALSE(std::filesystem::exists(part + "/" + picture + "_0006.exr"));
+  }
+  CHECK(silent.find("history") == std::string::npos);
+  // More than there are: all of them.
+  denoise(part, {"7", "--preroll", "99"});
+  CHECK(samePixels(io::readExr(part + "/denoised_0007.exr"), io::readExr(whole + "/denoised_0007.exr")));
+  CHECK(denoise(part, {"7"}).find("frame 7 begins without a history") != std::string::npos);
+  CHECK(denoise(part, {"4"}).find("history") == std::string::npos);
+  CHECK_FALSE(
+      samePixels(io::readExr(part + "/denoised_0004.exr"), io::readExr(whole + "/denoised_0007.exr")));
+}
+
 TEST_CASE("a multilayer file is made of separate ones, with the denoised picture in front", "[cli]") {
   const TemporaryDirectory directory;
   const std::string out = directory.file("out");

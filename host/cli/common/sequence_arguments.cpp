@@ -67,4 +67,9 @@ std::vector<int> chooseFrames(const char* command, std::vector<int> frames, cons
   return frames;
 }
 
+std::vector<int> prerollFrames(const std::vector<int>& frames, int first, int count) {
+  const auto end = std::lower_bound(frames.begin(), frames.end(), first);
+  return {end - std::min<std::ptrdiff_t>(count, end - frames.begin()), end};
+}
+
 }  // namespace quell::cli

@@ -19,4 +19,7 @@ void addSignalsOption(CLI::App& command, int& signals);
 /// range that goes beyond them, or one in which all are missing.
 std::vector<int> chooseFrames(const char* command, std::vector<int> frames, const std::string& range);
 
+/// The last `count` of `frames` (ascending) before `first`; fewer where there are no more.
+std::vector<int> prerollFrames(const std::vector<int>& frames, int first, int count);
+
 }  // namespace quell::cli

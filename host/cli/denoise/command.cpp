@@ -27,12 +27,15 @@ namespace {
 constexpr char kCommand[] = "denoise";
 /// Stands for the names of all buffers in --dump.
 constexpr char kList[] = "list";
+/// Frames after which a history is about as good as it gets: the default of historyFrames, of what moves, and one.
+constexpr int kUsualPreroll = 8;
 
 struct DenoiseOptions {
   MethodArguments method;
   std::vector<std::string> input;
   std::string output;
   std::string frames;
+  int preroll = 0;
   std::string size = "1280x720";
   std::string timers = "device";
   std::string motion = "auto";
@@ -100,6 +103,37 @@ std::unique_ptr<FurtherOutputWriter> openFurther(const io::FrameSequence& sequen
                                                std::move(accumulation));
 }
 
+/// Whether frames depend on those before: then the method reads motion where there is any.
+bool hasHistory(const Settings& settings) {
+  const std::vector<InputNeed> needs = inputNeeds(settings);
+  return std::any_of(needs.begin(), needs.end(), [](const InputNeed& need) {
+    return need.image == "motion" && need.use != InputUse::Unused;
+  });
+}
+
+/// Frames that the history takes in before the first one that is written; says so where more of them would help.
+std::vector<int> choosePreroll(const io::FrameSequence& sequence, int first, const DenoiseOptions& options,
+                               const Settings& settings) {
+  const std::vector<int> frames = prerollFrames(sequence.frames(), first, options.preroll);
+  if (options.preroll == 0 && first > sequence.frames().front() && hasHistory(settings))
+    fmt::print(
+        stderr,
+        "frame {} begins without a history, as after a cut: --preroll {} takes in the frames before it, "
+        "unwritten\n",
+        first, kUsualPreroll);
+  sequence.requireReadable(frames);
+  return frames;
+}
+
+void takeIn(const io::FrameSequence& sequence, const std::vector<int>& frames, DenoiseSession& session,
+            FurtherOutputWriter* further) {
+  for (const int number : frames) {
+    const io::FrameData frame = sequence.read(number);
+    session.denoise(frame);
+    if (further != nullptr) further->preroll(frame);
+  }
+}
+
 // Denoises the frames, writes what there is to write of each, and fills the report's frames, errors and hash.
 void denoiseFrames(const io::FrameSequence& sequence, const std::vector<int>& frames,
                    const DenoiseOptions& options, DenoiseSession& session, const OutputFiles* files,
@@ -137,11 +171,13 @@ void runDenoise(const DenoiseOptions& options) {
   for (const std::string& line : sequence->describeChannels()) fmt::print("{}\n", line);
   const Settings settings =
       applyMethodArguments(kCommand, options.method, defaultSettings(options.method.method, *sequence));
+  const std::vector<int> preroll = choosePreroll(*sequence, frames.front(), options, settings);
+  const int first = preroll.empty() ? frames.front() : preroll.front();
   const bool list = options.dump == std::vector<std::string>{kList};
   const std::unique_ptr<OutputFiles> files = list ? nullptr : openOutput(options);
   Options deviceOptions = makeOptions(options.device, timerMode(options.timers));
   if (!list) deviceOptions.keptBuffers = options.dump;
-  DenoiseSession session(options.device.device, settings, deviceOptions, sequence->read(frames.front()),
+  DenoiseSession session(options.device.device, settings, deviceOptions, sequence->read(first),
                          motionUse(options.motion));
   if (list) {
     fmt::print("{}\n", fmt::join(session.denoiser().bufferNames(), "\n"));
@@ -151,7 +187,8 @@ void runDenoise(const DenoiseOptions& options) {
   report.device = session.device();
   report.settings = settings;
   report.size = {sequence->width(), sequence->height()};
-  const auto further = openFurther(*sequence, options, settings, frames.front(), files.get());
+  const auto further = openFurther(*sequence, options, settings, first, files.get());
+  takeIn(*sequence, preroll, session, further.get());
   denoiseFrames(*sequence, frames, options, session, files.get(), further.get(), report);
   report.memory = session.denoiser().memoryUse();
   if (options.timers != "off") report.timings = session.timings();
@@ -181,8 +218,13 @@ void addInputOptions(CLI::App* command, const std::shared_ptr<DenoiseOptions>& o
       "OpenEXR files as a renderer writes them: one or several, a directory, shot_####.exr, "
       "shot_%04d.exr or a glob (docs/frames-from-my-renderer.md), or a sequence in the layout of "
       "data/README.md; without it a built-in sequence is made up. Files of renderers need colour, "
-      "normal, and both of position and depth, or one of them and a camera");
+      "normal and position, or depth and a camera");
   command->add_option("--frames", options->frames, "Frames A-B (A:B where one is negative); default: all");
+  command
+      ->add_option("--preroll", options->preroll,
+                   "Frames before those of --frames that the history takes in; they are not written")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->add_option("--size", options->size, "Size of the built-in sequence")->capture_default_str();
   command->add_option("--frame-count", options->analyticFrames, "Length of the built-in sequence")
       ->check(CLI::PositiveNumber)

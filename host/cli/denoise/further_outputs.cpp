@@ -59,6 +59,10 @@ void FurtherOutputWriter::write(const io::FrameData& frame, const DenoisedFrame&
   if (m_outputs.multilayer) writeMultilayer(frame, denoised, accumulated);
 }
 
+void FurtherOutputWriter::preroll(const io::FrameData& frame) {
+  if (m_accumulation) m_accumulation->denoise(frame);
+}
+
 void FurtherOutputWriter::writeMultilayer(const io::FrameData& frame, const DenoisedFrame& denoised,
                                           const io::Image& accumulated) const {
   const std::string color = m_sequence.fileOf(frame.number, kColor);

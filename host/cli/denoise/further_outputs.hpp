@@ -32,6 +32,8 @@ class FurtherOutputWriter {
 
   /// Frames in order, each after its denoised image has been written. Throws Error(FileError).
   void write(const io::FrameData& frame, const DenoisedFrame& denoised);
+  /// A frame before those, which the history takes in.
+  void preroll(const io::FrameData& frame);
 
  private:
   void writeMultilayer(const io::FrameData& frame, const DenoisedFrame& denoised,
