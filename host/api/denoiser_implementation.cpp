@@ -129,9 +129,9 @@ void Denoiser::Implementation::setSettings(const Settings& settings) {
   const Configuration changed = configurationWith(settings);
   const std::vector<std::string> names = settingsToPrepare(settings);
   if (!names.empty())
-    throw Error(ErrorCode::NotPrepared,
-                {"setSettings", joined(names), "settings that need no prepare()",
-                 "some whose kernels or buffers are others (PrepareOptions::settings takes them)"});
+    throw Error(ErrorCode::NotPrepared, {"setSettings", joined(names), "settings that need no prepare()",
+                                         "some that choose kernels or buffers: prepare() takes them in its "
+                                         "options, which may keep the history"});
   if (m_prepared) m_pipeline.retune(changed, m_method.makeSchedule, m_context, m_device, m_cache);
   m_configuration.settings = changed.settings;
   m_configuration.runtime = changed.runtime;

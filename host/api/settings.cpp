@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <quell/error.hpp>
 #include <quell/settings.hpp>
@@ -13,6 +14,37 @@ std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
+}
+
+/// Letters to insert, remove or replace between two words, whatever their case (Levenshtein distance).
+std::size_t lettersApart(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool same = std::tolower(static_cast<unsigned char>(a[i - 1])) ==
+                        std::tolower(static_cast<unsigned char>(b[j - 1]));
+      const std::size_t replaced = diagonal + (same ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+/// What was meant by a name that is mistyped; empty where no name is near.
+std::string nearestName(const std::string& name, const std::vector<std::string>& names) {
+  std::size_t least = name.size() / 3 + 1;
+  std::string nearest;
+  for (const std::string& candidate : names) {
+    const std::size_t apart = lettersApart(name, candidate);
+    if (apart >= least) continue;
+    least = apart;
+    nearest = candidate;
+  }
+  return nearest;
 }
 
 [[noreturn]] void refuse(const SettingDescription& setting, const std::string& got) {
@@ -46,8 +78,11 @@ std::size_t Settings::indexOf(const std::string& name) const {
     if (setting.name == name) return names.size();
     names.push_back(setting.name);
   }
-  throw Error(ErrorCode::UnknownSetting,
-              {"settings", name, "a setting of " + m_method + ": " + joined(names), name});
+  const std::string nearest = nearestName(name, names);
+  throw Error(ErrorCode::UnknownSetting, {"settings", name,
+                                          (nearest.empty() ? "" : "perhaps " + nearest + "; ") +
+                                              "a setting of " + m_method + ": " + joined(names),
+                                          name});
 }
 
 void Settings::set(const std::string& name, double value) {

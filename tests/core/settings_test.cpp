@@ -110,6 +110,14 @@ TEST_CASE("an unknown name is refused with the names there are", "[core]") {
   REQUIRE_THROWS_MATCHES(settings.set("taaWeight", "0.5"), Error, refusal);
   REQUIRE_THROWS_MATCHES(settings.get("taaWeight"), Error, refusal);
   REQUIRE_THROWS_MATCHES(settings.text("taaWeight"), Error, refusal);
+  REQUIRE_THROWS_MATCHES(
+      settings.set("noisyleastweigth", 0.5), Error,
+      failsWith(ErrorCode::UnknownSetting, {"perhaps noisyLeastWeight; a setting of bmfr"}));
+  try {
+    settings.set("magic", 1.0);
+  } catch (const Error& error) {
+    CHECK(error.expected().find("perhaps") == std::string::npos);
+  }
   REQUIRE_THROWS_MATCHES(Settings("svdf"), Error,
                          failsWith(ErrorCode::UnknownSetting, {"method", "bmfr", "svdf"}));
   REQUIRE_THROWS_MATCHES(methodSummary(""), Error, failsWith(ErrorCode::UnknownSetting, {"bmfr"}));
@@ -128,7 +136,10 @@ TEST_CASE("a value out of range is refused with the range and leaves the old one
                            failsWith(ErrorCode::OutOfRange, {"noisyLeastWeight", "0.001 to 1"}));
   CHECK(settings.get("noisyLeastWeight") == before);
   REQUIRE_THROWS_MATCHES(settings.set("positionLimitFootprints", -1.0), Error,
-                         failsWith(ErrorCode::OutOfRange, {"pixel footprints", "-1"}));
+                         failsWith(ErrorCode::OutOfRange, {"0 to 1000000 pixel footprints", "-1"}));
+  Settings quell;
+  REQUIRE_THROWS_MATCHES(quell.set("historyFrames", "900"), Error,
+                         failsWith(ErrorCode::OutOfRange, {"1 to 255", "got 900"}));
 }
 
 TEST_CASE("a preset sets what it has a value for", "[core]") {
