@@ -159,7 +159,7 @@ class Demo {
   }
 
   std::string title() const {
-    return fmt::format("Quell: {} on {}", m_setup.settings.method(), m_setup.scene);
+    return fmt::format("Quell demo: method {}, scene {}", m_setup.settings.method(), m_setup.scene);
   }
   std::string subtitle() const {
     return fmt::format("{}x{}, {} per pixel, traced and denoised on {}", m_setup.size.width,
