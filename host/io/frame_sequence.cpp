@@ -69,7 +69,7 @@ std::unique_ptr<FrameSequence> openDirectory(const std::string& directory, const
     throwFileError("open sequence", directory,
                    std::string(kCyclesCameraFile) + " (beside color_0000.exr, ...) or " + kBmfrCameraFile +
                        " (beside color0.exr, ...) or multilayer files such as 0001.exr",
-                   "none of them");
+                   FrameDirectory(directory).all().empty() ? "no numbered OpenEXR files" : "none of them");
   if (options.signals != 1) refuseSignals(directory);
   return std::make_unique<BmfrSequence>(directory, options.missing);
 }

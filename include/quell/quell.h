@@ -272,7 +272,8 @@ enum {
 #define QUELL_VIEW(name, NAME, least, most, kind, presence, files, texts) quell_image_view name;
 /* Inputs of one frame, read until the event of quellDenoise has completed. quellPrepare fixes `width` and `height` (1 to
  * 32768, 2^27 pixels together), which images there are, their format, channels, sum, pixel stride and row pitch,
- * `demodulated` and `depthKind`; `memory`, `offsetBytes` and all else may change from frame to frame.
+ * `demodulated` and `depthKind`; `memory`, `offsetBytes` and all else may change from frame to frame. With a render size the
+ * row pitch may, too; 0 is that of rows of `width` pixels, whatever is rendered.
  *
  * Each image of frame_images.h is a member of that name, a quell_image_view; what they hold (units, ranges, NaN) is said
  * there, in short in README.md, "Buffer contract". Of positionWorld and viewDepth one is required, never both. */
@@ -290,7 +291,7 @@ typedef struct quell_frame {
   double sampleCount; /* of images with QUELL_OVER_SAMPLE_COUNT; 0: 1 */
   QUELL_FRAME_IMAGES(QUELL_VIEW)
   int renderWidth; /* dynamic resolution: pixels that this frame renders, up to `width` and `height`; both 0: all of them */
-  int renderHeight; /* quellPrepare must have had such a size, too; see quell::Frame::renderSize */
+  int renderHeight; /* quellPrepare must have had such a size, too; images are read and written from pixel (0, 0) on */
 } quell_frame;
 
 /* Outputs of one frame: linear and display (frame_images.h), either or both. */
@@ -345,7 +346,7 @@ typedef int32_t quell_timer_mode;
 enum {
   QUELL_TIMERS_OFF = 0, /* not at all */
   QUELL_TIMERS_DEVICE =
-      1,                /* needs CL_QUEUE_PROFILING_ENABLE; falls back to host where events carry no times */
+      1, /* needs CL_QUEUE_PROFILING_ENABLE, else the queue is refused; as host where a driver's events carry no times */
   QUELL_TIMERS_HOST = 2 /* completion callbacks */
 };
 
@@ -360,19 +361,21 @@ enum {
   QUELL_MAPPING_WIDE_16 = 5    /* sixteen of them */
 };
 
-/* What a denoiser is made with, for good. All zero suits a renderer. */
+/* What a denoiser is made with, for good. All zero suits a renderer: kernels lie in $XDG_CACHE_HOME/quell, else in
+ * ~/.cache/quell, for the next process. Those of PoCL lie there only where a directory is named: it has a cache of its own, and
+ * compiles twice to give binaries away. */
 typedef struct quell_options {
   size_t structSize;          /* set by QUELL_INIT */
   quell_timer_mode timers;    /* for quellGetTimings; costs an event a kernel */
   quell_mapping mapping;      /* 0: what suits the device */
   int workGroup[2];           /* of per-pixel kernels, work-items in x and y; 0: chosen */
   int fitGroup;               /* work-items per block of the fit, a power of two up to 256; 0: chosen */
-  const char* cacheDirectory; /* of compiled kernels; NULL: the user's, "": none, see quell::Options */
+  const char* cacheDirectory; /* of compiled kernels; "": none; NULL: the user's */
   const char* keptBuffers;    /* intermediate buffers for quellReadBuffer, separated by commas; may be NULL */
   const char*
-      captureDirectory; /* folder for bug reports; NULL: $QUELL_CAPTURE, "": none, see quell::Options */
-  int captureFrames;    /* how many frames are written there after each quellPrepare; 0: 8 */
-  int captureSkip;      /* how many are left out before */
+      captureDirectory; /* folder for bug reports, a new one in it each quellPrepare; NULL: $QUELL_CAPTURE, "": none */
+  int captureFrames; /* how many frames are written there after each quellPrepare; 0: 8 */
+  int captureSkip;   /* how many are left out before */
 } quell_options;
 
 /* Denoises a sequence of frames, each after the one before, on one queue at a time. */
@@ -615,7 +618,7 @@ enum {
 typedef struct quell_time_statistics {
   size_t count;    /* frames counted, at most 4096 */
   double medianMs; /* of an even number of frames the mean of the two in the middle */
-  double meanMs;   /* drawn up by single slow frames; prefer the median */
+  double meanMs;   /* single slow frames count; prefer the median */
   double minMs;    /* the fastest frame */
   double maxMs;    /* the slowest frame */
 } quell_time_statistics;
@@ -628,7 +631,9 @@ typedef struct quell_timings {
   quell_time_statistics frame; /* start of the first kernel to end of the last, gaps included */
 } quell_timings;
 
-/* Times of one line of a method's table. */
+/* Times of one line of a method's table. What runs on other queues meanwhile is in them: on a CPU a stage may seem many times
+ * as long, and minMs is closer to what it takes. What is left out is known while no frame is pending;
+ * until then bytesMoved is that of a frame without background. */
 typedef struct quell_stage_timings {
   size_t structSize;          /* set by QUELL_INIT */
   const char* stage;          /* lives until the next quellGetTimings of this denoiser */
@@ -637,7 +642,8 @@ typedef struct quell_stage_timings {
   uint64_t lastSubmitNs;      /* of the stage's first kernel */
   uint64_t lastStartNs;       /* of the stage's first kernel */
   uint64_t lastEndNs;         /* of its last kernel */
-  uint64_t bytesMoved;        /* that the stage must read and write per frame, each counted once */
+  uint64_t
+      bytesMoved; /* that the stage must read and write per frame, each counted once, less what is left out */
   const char* label;   /* the stage's name, with what tells it from others of that name; lives as `stage` */
   int hasSkippedShare; /* 0 where it is not known, or nothing can be left out */
   double skippedShare; /* work left out over all work, 0 to 1 */

@@ -188,9 +188,9 @@ json toJson(const DenoiseReport& report) {
 }
 
 std::string toText(const DenoiseReport& report) {
-  std::string text =
-      fmt::format("{}, {} frames of {}x{} on {} (driver {})\n", report.settings.method(), report.frames,
-                  report.size.width, report.size.height, report.device.name, report.device.driverVersion);
+  std::string text = fmt::format("{}, {} frame{} of {}x{} on {} (driver {})\n", report.settings.method(),
+                                 report.frames, report.frames == 1 ? "" : "s", report.size.width,
+                                 report.size.height, report.device.name, report.device.driverVersion);
   text += fmt::format("device memory {:.1f} MiB, output hash {}\n", mebibytes(report.memory.totalBytes),
                       report.outputHash);
   if (report.timings) text += timingsText(report);

@@ -45,7 +45,9 @@ void addSequenceOptions(CLI::App& command, io::SequenceOptions& options) {
                               fmt::join(images, ", ")))
       ->type_name("IMAGE=NAME");
   command
-      .add_option("--renderer", channels.renderer, "Whose names of channels; auto: those that explain most")
+      .add_option("--renderer", channels.renderer,
+                  "Whose names of channels (Blender's are those of cycles); auto: those that explain most")
+      ->transform([](const std::string& name) { return name == "blender" ? std::string("cycles") : name; })
       ->check(CLI::IsMember(renderers))
       ->capture_default_str();
   command.add_option("--layer", channels.layer, "View layer, or what stands before the passes' names")
