@@ -40,6 +40,15 @@ Candidate exchanged(const Context& context, double ySign, double zSign) {
   return matrix;
 }
 
+/// The angle that was meant for the width taken for the height, or the other way round.
+Candidate otherFovAxis(const Context& context, bool wasWidth) {
+  const double aspect = double(context.size.width) / context.size.height;
+  const double factor = wasWidth ? aspect : 1.0 / aspect;
+  return scaledRows(given(context), {factor, factor, 1, 1});
+}
+
+constexpr char kFovAxis[] =
+    "let the angle span the other side of the picture: fov_axis in camera.json (Blender: \"larger\")";
 constexpr char kTranspose[] =
     "transpose all matrices: row-major, for column vectors (GLM and OpenGL keep columns)";
 constexpr char kFlip[] = "turn the rows of all images over, or negate row 1 of both matrices";
@@ -71,6 +80,10 @@ std::vector<CameraCandidate> otherMatrices() {
        [](const Context& c) -> Candidate {
          return scaledRows(given(c), {-1, -1, -1, -1});
        }},
+      {"camera-fov-axis", "camera", "with the field of view across the width instead of the height", kFovAxis,
+       [](const Context& c) { return otherFovAxis(c, true); }},
+      {"camera-fov-axis", "camera", "with the field of view across the height instead of the width", kFovAxis,
+       [](const Context& c) { return otherFovAxis(c, false); }},
       {"camera-swapped", "camera", "with the matrix of the frame before",
        "exchange worldToClip and worldToClipPrev, or give the features of this frame",
        [](const Context& c) -> Candidate { return c.now.camera.worldToClipPrev; }},

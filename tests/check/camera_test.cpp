@@ -98,6 +98,10 @@ TEST_CASE("matrices of another convention are named", "[check]") {
   CHECK(with(check::scaledRows(m, {-1, -1, 1, 1})) == "image-rotated ");
   CHECK(with(check::scaledRows(m, {-1, -1, -1, -1})) == "camera-negated ");
   CHECK(with(check::transposed(check::scaledRows(m, {1, -1, 1, 1}))) == "camera-transposed-flipped-y ");
+  const double aspect = double(right.radiance.width) / right.radiance.height;
+  REQUIRE(aspect != 1.0);
+  CHECK(with(check::scaledRows(m, {aspect, aspect, 1, 1})) == "camera-fov-axis ");
+  CHECK(with(check::scaledRows(m, {1 / aspect, 1 / aspect, 1, 1})) == "camera-fov-axis ");
   CHECK(with(planeFrame(40).camera.worldToClip) == "position-camera-mismatch ");
   CHECK(with(Matrix4{}) == "position-camera-mismatch ");
 }
