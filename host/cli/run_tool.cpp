@@ -41,6 +41,7 @@ int runTool(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;  // not CLI11's own numbers: 1 is an error, whatever its kind
   } catch (const std::exception& error) {
+    std::fflush(stdout);  // what was said before comes before
     fmt::print(stderr, "quell: {}\n", error.what());
     return 1;
   }
