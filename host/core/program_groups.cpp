@@ -16,13 +16,13 @@ constexpr std::string_view kDefine = " -D ";
 constexpr std::string_view kFormatOption = "_FORMAT";  // of images, see kernels/common/image_access.h
 
 /// What the compiler is told beside definitions, and these one by one.
-struct Options {
+struct CompileOptions {
   std::string flags;
   std::vector<std::string> defines;  ///< NAME=VALUE
 };
 
-Options parseOptions(const std::string& text) {
-  Options options;
+CompileOptions parseOptions(const std::string& text) {
+  CompileOptions options;
   std::size_t end = text.find(kDefine);
   options.flags = text.substr(0, end);
   while (end != std::string::npos) {
@@ -63,7 +63,7 @@ bool endsWith(const std::string& text, std::string_view end) {
 }
 
 Meaning meaningOf(const KernelUse& use) {
-  const Options options = parseOptions(use.options);
+  const CompileOptions options = parseOptions(use.options);
   Meaning meaning{options.flags, {}, askedNames(kernelSource(use.stem))};
   for (const std::string& define : options.defines) {
     const std::size_t sign = define.find('=');
