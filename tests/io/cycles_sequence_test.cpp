@@ -198,7 +198,7 @@ TEST_CASE("frames that are not there and directories of another kind are refused
   const TemporaryDirectory empty;
   REQUIRE_THROWS_MATCHES(
       openSequence(empty.path()), Error,
-      failsWith(ErrorCode::FileError, {"camera.json", "camera_matrices.h", "none of them"}));
+      failsWith(ErrorCode::FileError, {"camera.json", "camera_matrices.h", "no numbered OpenEXR files"}));
   writeTextFile(empty.file("camera.json"), "{\"frames\": []}");
   REQUIRE_THROWS_MATCHES(openSequence(empty.path()), Error,
                          failsWith(ErrorCode::FileError, {"color_0000.exr", "none"}));
