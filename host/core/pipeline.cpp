@@ -1,6 +1,7 @@
 #include "host/core/pipeline.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "host/core/kernel_uses.hpp"
@@ -143,11 +144,15 @@ std::vector<StageKernel> Pipeline::kernelStates(const Pipeline& built, const Pro
   const std::vector<std::vector<KernelUse>> needed = planned.neededKernels();
   ProgramShelf shelf = built.m_programs;
   shelf.expect(joined(needed));
+  std::map<KernelUse, KernelState> compiled;  // of those that are not built
   const auto stateOf = [&](const KernelUse& use) {
     if (shelf.find(use)) return KernelState::Built;
+    if (const auto known = compiled.find(use); known != compiled.end()) return known->second;
     const ProgramGroup group = shelf.groupOf(use);
     const bool cached = cache.has(planned.m_configuration.device, group.source(), group.options());
-    return cached ? KernelState::Cached : KernelState::Missing;
+    const KernelState state = cached ? KernelState::Cached : KernelState::Missing;
+    for (const KernelUse& member : group.kernels) compiled[member] = state;
+    return state;
   };
   std::vector<StageKernel> kernels;
   for (std::size_t i = 0; i < needed.size(); ++i) {

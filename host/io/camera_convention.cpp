@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "host/io/least_median.hpp"
+
 namespace quell::io {
 namespace {
 
@@ -60,9 +62,7 @@ std::optional<double> projectionErrorPx(const Matrix4& worldToClip, const std::a
     }
   }
   if (distances.empty()) return std::nullopt;
-  const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return middleValue(std::move(distances));
 }
 
 bool fits(double errorPx, const Image& picture) {

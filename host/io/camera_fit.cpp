@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <utility>
+
+#include "host/io/least_median.hpp"
 
 namespace quell::io {
 namespace {
@@ -21,9 +22,8 @@ constexpr double kFitPx = 2.0;
 constexpr double kNearPx = 3.0, kNearMedians = 3.0;
 /// Largest error of a depth, as a share of it.
 constexpr double kDepthShare = 0.1;
-/// Samples of a subset, subsets, and samples that judge them. With a third of the samples broken, 3 subsets of 64 are
-/// free of them on average.
-constexpr std::size_t kSubset = 8, kSubsets = 64, kJudges = 4096;
+/// Samples that judge the cameras of subsets.
+constexpr std::size_t kJudges = 4096;
 constexpr int kRefinements = 3;
 
 using Samples = std::vector<CameraSample>;
@@ -135,9 +135,7 @@ struct Distances {
   double median(const Samples& samples) const {
     std::vector<double> all;
     for (const CameraSample& sample : samples) all.push_back((*this)(sample));
-    const auto middle = all.begin() + std::ptrdiff_t(all.size() / 2);
-    std::nth_element(all.begin(), middle, all.end());
-    return *middle;
+    return middleValue(std::move(all));
   }
 };
 
@@ -149,22 +147,11 @@ Samples every(std::size_t step, std::size_t first, const Samples& samples) {
 }
 
 /// The camera of a few samples that is least off for half of all.
-std::optional<Matrix4> leastMedian(const Samples& samples, int width, int height) {
+std::optional<Matrix4> leastMedianCamera(const Samples& samples, int width, int height) {
   const Samples judges = every(samples.size() / kJudges + 1, 0, samples);
-  std::minstd_rand random;
-  std::optional<Matrix4> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < kSubsets; ++i) {
-    Samples subset;
-    while (subset.size() < kSubset) subset.push_back(samples[random() % samples.size()]);
-    const auto camera = leastSquares(subset);
-    if (!camera) continue;
-    const double median = Distances{*camera, width, height}.median(judges);
-    if (best && !(median < least)) continue;
-    best = camera;
-    least = median;
-  }
-  return best;
+  return leastMedian(samples, leastSquares, [&](const Matrix4& camera) {
+    return Distances{camera, width, height}.median(judges);
+  });
 }
 
 Samples nearSamples(const Samples& samples, const Distances& distances) {
@@ -191,7 +178,7 @@ double rootMeanSquare(const Samples& samples, const Distances& distances) {
 FoundCamera fitCamera(const std::vector<CameraSample>& samples, int width, int height) {
   const FoundCamera flat{std::nullopt, "surfaces that lie in one plane"};
   if (samples.empty()) return {std::nullopt, "no surfaces"};
-  std::optional<Matrix4> camera = leastMedian(samples, width, height);
+  std::optional<Matrix4> camera = leastMedianCamera(samples, width, height);
   Samples near = samples;
   for (int i = 0; i < kRefinements && camera; ++i) {
     near = nearSamples(samples, {*camera, width, height});

@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
+
+#include "host/io/least_median.hpp"
 
 namespace quell::io {
 namespace {
@@ -58,9 +61,7 @@ Matrix4 standInCamera(const Image& positionWorld, const Image& normalWorld, cons
   const auto median = [&](const auto& valueOf) {
     std::vector<double> values;
     for (const CameraSample& sample : samples) values.push_back(valueOf(sample));
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return values.empty() ? 0.0 : *middle;
+    return values.empty() ? 0.0 : middleValue(std::move(values));
   };
   Vector3 centre{}, axis{};
   for (std::size_t i = 0; i < 3; ++i)

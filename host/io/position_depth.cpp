@@ -6,10 +6,11 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <random>
+#include <utility>
 #include <vector>
 
 #include "host/io/depth_kind.hpp"
+#include "host/io/least_median.hpp"
 #include "host/io/least_squares.hpp"
 
 namespace quell::io {
@@ -17,9 +18,7 @@ namespace {
 
 constexpr std::size_t kUnknowns =
     11;  // of three rows of four, the last of which is 1 in the middle of the scene
-/// Samples of a subset, subsets, and samples of all: with a third of the samples broken, 3 subsets of 64 are free of them on
-/// average, and half of the samples judge them.
-constexpr std::size_t kSubset = 8, kSubsets = 64;
+/// More samples than this make depth no better.
 constexpr int kMostSamples = 1 << 13;
 constexpr int kRefinements = 4;
 /// Samples farther from their pixels than so many medians, and than so much of half the picture, count for nothing.
@@ -50,9 +49,7 @@ double distance(const Rows& rows, const Sample& sample) {
 double medianDistance(const Rows& rows, const Samples& samples) {
   std::vector<double> all;
   for (const Sample& sample : samples) all.push_back(distance(rows, sample));
-  const auto middle = all.begin() + std::ptrdiff_t(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end());
-  return *middle;
+  return middleValue(std::move(all));
 }
 
 /// Samples weigh by 1 / depth^2 of the rows `before`, if there are any, so that errors count on the picture.
@@ -87,19 +84,10 @@ Samples nearSamples(const Samples& samples, const Rows& rows) {
 
 std::optional<Rows> robustRows(const Samples& samples) {
   if (samples.size() < kSubset) return std::nullopt;
-  std::minstd_rand random;
-  std::optional<Rows> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < kSubsets; ++i) {
-    Samples subset;
-    while (subset.size() < kSubset) subset.push_back(samples[random() % samples.size()]);
-    const auto rows = fitRows(subset, nullptr);
-    if (!rows) continue;
-    const double median = medianDistance(*rows, samples);
-    if (!(median < least)) continue;
-    best = rows;
-    least = median;
-  }
+  auto best = leastMedian(
+      samples, [](const Samples& subset) { return fitRows(subset, nullptr); },
+      [&](const Rows& rows) { return medianDistance(rows, samples); });
+  if (best && !std::isfinite(medianDistance(*best, samples))) return std::nullopt;  // behind the camera
   for (int i = 0; i < kRefinements && best; ++i) best = fitRows(nearSamples(samples, *best), &*best);
   return best;
 }
@@ -133,14 +121,9 @@ Scale scaleOf(const Image& position, const Image& normal, int step) {
     std::vector<double> values;
     forEachSurface(position, normal, step, [&](int x, int y) { values.push_back(position.at(x, y, axis)); });
     if (values.empty()) return scale;
-    const auto median = [&] {
-      const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-      std::nth_element(values.begin(), middle, values.end());
-      return *middle;
-    };
-    const double centre = scale.middle[std::size_t(axis)] = median();
+    const double centre = scale.middle[std::size_t(axis)] = middleValue(values);
     for (double& value : values) value = std::abs(value - centre);
-    scale.extent = std::hypot(scale.extent, median());
+    scale.extent = std::hypot(scale.extent, middleValue(std::move(values)));
   }
   return scale;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/io/depth_kind.hpp"
+#include "host/io/least_median.hpp"
 #include "host/io/least_squares.hpp"
 #include "host/io/multilayer_camera.hpp"
 
@@ -90,9 +91,8 @@ std::optional<Vector3> findEye(std::vector<Surface>& surfaces) {
       return std::abs(std::sqrt(dot(ray, ray)) - s.distance - (*found)[3]);
     };
     for (const Surface& s : surfaces) errors.push_back(error(s));
-    const auto middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);
-    std::nth_element(errors.begin(), middle, errors.end());
-    for (Surface& s : surfaces) s.counts = error(s) <= kNearMedians * *middle;
+    const double middle = middleValue(std::move(errors));
+    for (Surface& s : surfaces) s.counts = error(s) <= kNearMedians * middle;
   }
   return eye;
 }
