@@ -10,6 +10,7 @@
 #include "tests/cases/atrous_case.hpp"
 #include "tests/cases/background_case.hpp"
 #include "tests/cases/blended_sum_case.hpp"
+#include "tests/cases/box_filter_case.hpp"
 #include "tests/cases/change_sums_case.hpp"
 #include "tests/cases/change_weight_case.hpp"
 #include "tests/cases/demodulate_case.hpp"
@@ -18,6 +19,9 @@
 #include "tests/cases/follow_change_case.hpp"
 #include "tests/cases/gram_solve_case.hpp"
 #include "tests/cases/gram_sums_case.hpp"
+#include "tests/cases/guided_evaluate_case.hpp"
+#include "tests/cases/guided_moments_case.hpp"
+#include "tests/cases/guided_solve_case.hpp"
 #include "tests/cases/light_gain_case.hpp"
 #include "tests/cases/light_sums_case.hpp"
 #include "tests/cases/remodulate_case.hpp"
@@ -135,6 +139,22 @@ void addGramStages(std::vector<StageEntry>& entries, const std::string& variant,
     entries.push_back(entry<tests::GramSolveCase>("gram_solve." + name, mapping, layout, windows));
     if (windows.overlap)
       entries.push_back(entry<tests::BlendedSumCase>("blended_sum." + name, mapping, layout, windows));
+  }
+}
+
+// Stages of a guided filter.
+void addGuidedStages(std::vector<StageEntry>& entries, const std::string& variant, Mapping mapping) {
+  const ImageLayout layout = tests::packed(3);
+  for (const int subsampling : {1, 4}) {
+    const std::string name = variant + "_cell" + std::to_string(subsampling);
+    const tests::GuidedVariant guided{subsampling, 1};
+    entries.push_back(entry<tests::GuidedMomentsCase>("guided_moments." + name, mapping, layout, guided));
+    entries.push_back(entry<tests::BoxFilterCase>("box_filter." + name + "_columns", mapping, layout,
+                                                  tests::BoxPass::MomentColumns, guided));
+    entries.push_back(entry<tests::BoxFilterCase>("box_filter." + name + "_rows", mapping, layout,
+                                                  tests::BoxPass::MomentRows, guided));
+    entries.push_back(entry<tests::GuidedSolveCase>("guided_solve." + name, mapping, layout, guided));
+    entries.push_back(entry<tests::GuidedEvaluateCase>("guided_evaluate." + name, mapping, layout, guided));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "host/methods/atrous_settings.hpp"
 #include "host/methods/bmfr_settings.hpp"
+#include "host/methods/guided_settings.hpp"
 #include "host/methods/method.hpp"
 #include "host/methods/quell_settings.hpp"
 #include "host/methods/svgf_settings.hpp"
@@ -72,6 +73,8 @@ const Readers<BmfrSettings> kBmfr = {READ(noisyLeastWeight), READ(filteredLeastW
 const Readers<SvgfSettings> kSvgf = {
     READ(irradianceLeastWeight),  READ(momentsLeastWeight), READ(feedback),
     READ(temporalVarianceFrames), READ(keepLight),          READ(fireflyRatio)};
+const Readers<GuidedSettings> kGuided = {READ(irradianceLeastWeight), READ(fireflyRatio), READ(radius),
+                                         READ(epsilon), READ_AS("subsampling", subsampling / 2 - 1)};
 const Readers<AtrousSettings> kAtrous = {READ(skip), READ(demodulate), READ_AS("toneMap", display.toneMap),
                                          READ_AS("displayEncoding", display.encoding),
                                          READ_AS("exposure", display.exposure)};
@@ -113,6 +116,7 @@ TEST_CASE("every setting arrives in a member of its own", "[core]") {
              kQuell + filterReaders<QuellSettings>() + commonReaders<QuellSettings>());
   checkTable("bmfr", bmfrSettings(), kBmfr + commonReaders<BmfrSettings>());
   checkTable("svgf", svgfSettings(), kSvgf + filterReaders<SvgfSettings>() + commonReaders<SvgfSettings>());
+  checkTable("guided", guidedSettings(), kGuided + commonReaders<GuidedSettings>());
   checkTable("atrous", atrousSettings(), kAtrous + filterReaders<AtrousSettings>());
 }
 

@@ -13,6 +13,7 @@
 #include "kernels/accumulate_noisy_params.h"
 #include "kernels/atrous_params.h"
 #include "kernels/background_params.h"
+#include "kernels/box_filter_params.h"
 #include "kernels/change_params.h"
 #include "kernels/common/edge_stops_params.h"
 #include "kernels/common/frame_image_params.h"
@@ -22,6 +23,7 @@
 #include "kernels/firefly_weights_params.h"
 #include "kernels/fit_params.h"
 #include "kernels/gram_params.h"
+#include "kernels/guided_params.h"
 #include "kernels/import_image_params.h"
 #include "kernels/light_params.h"
 #include "kernels/material_guides_params.h"
@@ -47,11 +49,13 @@ namespace {
   X("accumulate_noisy_params.h", AccumulateNoisyParams, antialiasBackground)           \
   X("atrous_params.h", AtrousParams, filtersVariance)                                  \
   X("background_params.h", BackgroundParams, finish)                                   \
+  X("box_filter_params.h", BoxFilterParams, alongRows)                                 \
   X("change_params.h", ChangeParams, momentsLeastWeight)                               \
   X("demodulate_params.h", DemodulateParams, images)                                   \
   X("firefly_weights_params.h", FireflyWeightsParams, fireflyRatio)                    \
   X("fit_params.h", FitParams, noiseAmplitude)                                         \
   X("gram_params.h", GramParams, noiseVariance)                                        \
+  X("guided_params.h", GuidedParams, epsilon)                                          \
   X("import_image_params.h", ImportImageParams, depthSlope)                            \
   X("light_params.h", LightParams, tilesY)                                             \
   X("material_guides_params.h", MaterialGuidesParams, images)                          \

@@ -13,7 +13,7 @@ import sys
 
 WIDTH, HEIGHT = 64, 48
 FRAMES = 2
-RECORDS = ",surfaces,changeSums,changeSumsPrev,recentChange,recentChangePrev,changeWeights,lightSums,lightGain,gramTiles,fitRecords,"
+RECORDS = ",surfaces,changeSums,changeSumsPrev,recentChange,recentChangePrev,changeWeights,lightSums,lightGain,gramTiles,fitRecords,moments,windowMoments,coefficients,windowCoefficients,boxInput,boxSums,"
 TOLERANCE = 0.05  # of the declared bytes
 TILES = 64  # bytes: where surfaces end within a row of tiles
 LONG = ["--set", "temporalVarianceFrames=1"]  # every history is long enough for the variance over time
@@ -23,6 +23,7 @@ RUNS = [  # those with most stages first
     ["--method", "bmfr", "--set", "solver=gram", "--sky-share", "0.5"],
     ["--method", "quell", *STILL],
     ["--method", "svgf", "--sky-share", "0.5", *LONG],
+    ["--method", "guided", "--sky-share", "0.5"],
     ["--method", "atrous"],
 ]
 BUILD = "-cl-opt-disable -DQUELL_PLAIN_INLINE -DQUELL_F_BETA_SAMPLES=1"

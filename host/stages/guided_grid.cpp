@@ -1,0 +1,19 @@
+#include "host/stages/guided_grid.hpp"
+
+#include "host/core/round_up.hpp"
+
+namespace quell {
+
+Size guidedCells(Size size, int subsampling) {
+  return {roundUp(size.width, subsampling) / subsampling, roundUp(size.height, subsampling) / subsampling};
+}
+
+GuidedParams makeGuidedParams(Size size, int subsampling, double epsilon) {
+  GuidedParams params{};
+  params.planes = makePlanes(size);
+  params.cells = makePlanes(guidedCells(size, subsampling));
+  params.epsilon = static_cast<float>(epsilon);
+  return params;
+}
+
+}  // namespace quell

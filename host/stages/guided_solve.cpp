@@ -1,0 +1,29 @@
+#include "host/stages/guided_solve.hpp"
+
+#include "host/core/frame_images.hpp"
+// After all others: short names.
+#include "host/core/port_columns.hpp"
+
+namespace quell {
+
+QUELL_PORTS(GuidedSolveOptions, GUIDED_SOLVE)
+
+GuidedSolve::GuidedSolve(const Configuration& configuration, int subsampling, double epsilon)
+    : m_subsampling(subsampling), m_epsilon(epsilon) {
+  QUELL_SIGNALS = signalCount(configuration.frame);
+  QUELL_FEATURES = QUELL_GUIDED_FEATURES;
+  setCellSizes<GuidedSolveOptions>(*this, configuration.size(), subsampling);
+}
+
+GuidedParams GuidedSolve::params(const FrameRun& run) const {
+  return makeGuidedParams(run.frame.size, m_subsampling, m_epsilon);
+}
+
+std::array<std::size_t, 2> GuidedSolve::range(const FrameRun& run) const {
+  const Size cells = guidedCells(run.frame.size, m_subsampling);
+  const int lanes = run.configuration.device.lanes;
+  return {static_cast<std::size_t>((cells.width + lanes - 1) / lanes),
+          static_cast<std::size_t>(cells.height)};
+}
+
+}  // namespace quell
