@@ -16,8 +16,7 @@ void read(const std::uint8_t* bytes, std::size_t count) {
   for (const auto& file : fs::directory_iterator(directory)) entry = file.path().string();
   disk.write("quell tuning 1\ndevice", DiskCache::Bytes(bytes, bytes + count));
   readTuning(disk, "device");
-  if (!entry.empty())
-    fs::copy_file(asFile(bytes, count, "entry"), entry, fs::copy_options::overwrite_existing);
+  if (!entry.empty()) writeFile(entry, bytes, count);
   readTuning(disk, "device");
 }
 

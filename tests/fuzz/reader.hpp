@@ -42,11 +42,15 @@ inline const std::filesystem::path& directoryOfFiles() {
   return directory;
 }
 
+inline void writeFile(const std::string& path, const std::uint8_t* bytes, std::size_t count) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+}
+
 /// A file of these bytes, the same path for all inputs of a process. `name` decides what some readers take it for.
 inline std::string asFile(const std::uint8_t* bytes, std::size_t count, const std::string& name) {
   const std::string path = (directoryOfFiles() / name).string();
-  std::ofstream(path, std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+  writeFile(path, bytes, count);
   return path;
 }
 

@@ -170,6 +170,28 @@ TEST_CASE("a header that claims a huge image is refused before memory is taken f
   REQUIRE_THROWS_MATCHES(readExr(path), Error, failsWith(ErrorCode::FileError, {"1000001x1001"}));
 }
 
+TEST_CASE("a picture of one colour is read, however little of it is left in the file") {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("a.exr");
+  const int width = 4096, height = 512;
+  const std::vector<half> black(std::size_t(width) * std::size_t(height));
+  for (const Imf::Compression compression :
+       {Imf::ZIP_COMPRESSION, Imf::PXR24_COMPRESSION, Imf::DWAB_COMPRESSION}) {
+    Imf::Header header(width, height);
+    header.compression() = compression;
+    header.channels().insert("Y", Imf::Channel(Imf::HALF));
+    {
+      Imf::OutputFile file(path.c_str(), header);
+      Imf::FrameBuffer buffer;
+      buffer.insert("Y", Imf::Slice::Make(Imf::HALF, black.data(), header.dataWindow()));
+      file.setFrameBuffer(buffer);
+      file.writePixels(height);
+    }
+    CHECK(std::filesystem::file_size(path) < 20000);
+    CHECK(samePixels(readExr(path, {"Y"}), Image(width, height, 1)));
+  }
+}
+
 TEST_CASE(
     "attributes longer than the file, or than their type, are refused before memory is taken for them") {
   const TemporaryDirectory directory;

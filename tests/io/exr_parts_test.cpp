@@ -41,13 +41,13 @@ TEST_CASE("channels of all parts have names of their own, views included") {
   CHECK(mixed.at(3, 2, 1) == color.at(3, 2, 0));
 }
 
-TEST_CASE("a file too short for the lines that it claims is refused before memory is taken for them") {
+TEST_CASE("a file too short for the pixels that it claims is refused before memory is taken for them") {
   const TemporaryDirectory directory;
   const std::string path = directory.file("a.exr");
   Planes planes;
   addPlanes(planes, "", noiseImage(4, 4, 1, 1), "Y");
-  for (const PixelWindow& claimed :
-       {PixelWindow{0, -1000000000, 1, 2000000000}, PixelWindow{0, 0, 1, 200000}}) {
+  for (const PixelWindow& claimed : {PixelWindow{0, -1000000000, 1, 2000000000}, PixelWindow{0, 0, 1, 200000},
+                                     PixelWindow{0, 0, 50331649, 3}}) {
     writePlanes(path, planes);
     std::string bytes = readFile(path);
     for (const char* window : {"dataWindow", "displayWindow"}) {
