@@ -24,9 +24,15 @@
 #include "tests/cases/guided_solve_case.hpp"
 #include "tests/cases/light_gain_case.hpp"
 #include "tests/cases/light_sums_case.hpp"
+#include "tests/cases/low_confidence_case.hpp"
+#include "tests/cases/median_filter_case.hpp"
 #include "tests/cases/remodulate_case.hpp"
+#include "tests/cases/separable_bilateral_case.hpp"
+#include "tests/cases/soft_history_case.hpp"
+#include "tests/cases/sparse_bilateral_case.hpp"
 #include "tests/cases/temporal_antialiasing_case.hpp"
 #include "tests/cases/variance_case.hpp"
+#include "tests/cases/virtual_motion_case.hpp"
 #include "tests/cases/weighted_sum_case.hpp"
 
 namespace quell::bench {
@@ -158,6 +164,24 @@ void addGuidedStages(std::vector<StageEntry>& entries, const std::string& varian
   }
 }
 
+// Stages of edagi.
+void addEdagiStages(std::vector<StageEntry>& entries, const std::string& variant, Mapping mapping) {
+  const ImageLayout layout = tests::packed(3);
+  for (const int signal : {0, 1})
+    entries.push_back(entry<tests::SoftHistoryCase>(
+        "soft_history." + variant + (signal == 1 ? "_virtual" : ""), mapping, layout, signal));
+  entries.push_back(entry<tests::VirtualMotionCase>("virtual_motion." + variant, mapping, layout));
+  entries.push_back(entry<tests::LowConfidenceCase>("low_confidence." + variant, mapping, layout));
+  entries.push_back(entry<tests::MedianFilterCase>("median_filter." + variant, mapping, layout));
+  for (const bool followsConfidence : {false, true})
+    entries.push_back(entry<tests::SparseBilateralCase>(
+        "sparse_bilateral." + variant + (followsConfidence ? "_by_confidence" : ""), mapping, layout,
+        followsConfidence));
+  for (const bool alongRows : {false, true})
+    entries.push_back(entry<tests::SeparableBilateralCase>(
+        "separable_bilateral." + variant + (alongRows ? "_rows" : "_columns"), mapping, layout, alongRows));
+}
+
 void checkResult(const StageEntry& stage) {
   const auto stageCase = stage.make(kCheckSize);
   const tests::Comparison comparison = stageCase->check();
@@ -178,6 +202,8 @@ std::vector<StageEntry> stageEntries() {
     addChangeStages(entries, name, mapping);
     addLightStages(entries, name, mapping);
     addGramStages(entries, name, mapping);
+    addGuidedStages(entries, name, mapping);
+    addEdagiStages(entries, name, mapping);
     entries.push_back(entry<tests::FitCase>("fit." + std::string(name) + "_half", mapping, tests::packed(3),
                                             FeatureStorage::Half));
   }

@@ -7,11 +7,11 @@
 
 // clang-format off
 #define BOX_FILTER_OPTIONS(OPTION, SIZE) \
-  SIZE(boxFloats) SIZE(boxElements)
+  OPTION(BOX_MINIMA) SIZE(boxFloats) SIZE(boxElements)
 
 #define BOX_FILTER_PORTS(PORT, IMAGE, OUTPUT)                 \
   PORT(boxInput, READ,  FLOAT, RECORDS(boxFloats), ELEMENTS(boxElements), ALWAYS) \
-  PORT(boxSums,  WRITE, FLOAT, RECORDS(boxFloats), ELEMENTS(boxElements), ALWAYS)
+  PORT(boxOutput,  WRITE, FLOAT, RECORDS(boxFloats), ELEMENTS(boxElements), ALWAYS)
 // clang-format on
 
 #endif

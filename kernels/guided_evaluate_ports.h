@@ -11,7 +11,7 @@
   OPTION(QUELL_SIGNALS) OPTION(SUBSAMPLING) OPTION(SKIP) SIZE(cellFloats) SIZE(cellCount) SIZE(surfaceItems)
 
 #define GUIDED_EVALUATE_PORTS(PORT, IMAGE, OUTPUT)                                                                              \
-  PORT(windowCoefficients, READ,  FLOAT, RECORDS(cellFloats * QUELL_GUIDED_COEFFICIENTS * QUELL_SIGNALS), ELEMENTS(cellCount * QUELL_GUIDED_COEFFICIENTS * QUELL_SIGNALS), ALWAYS) \
+  PORT(windowCoefficients, READ,  FLOAT, RECORDS(cellFloats * QUELL_GUIDED_COEFFICIENTS * QUELL_SIGNALS), ELEMENTS(cellCount * QUELL_GUIDED_COEFFICIENTS * QUELL_SIGNALS) * (SKIP ? SURFACES : 1), ALWAYS) \
   PORT(guides,             READ,  FLOAT, QUELL_GUIDE_PLANES_OF(QUELL_SIGNALS),                            PLANES(3), ALWAYS) \
   PORT(viewDepth,          READ,  FLOAT, 1,                                                               ALL,       ALWAYS) \
   PORT(guidedIrradiance,   WRITE, FLOAT, 3 * QUELL_SIGNALS,                                               ALL,       ALWAYS) \

@@ -175,6 +175,7 @@ ReprojectionParams makeReprojectionParams(const Camera& camera, Size size, const
   // A pixel covers 2 / size of normalised device coordinates, so at clip.w = 1 this many scene units.
   const double footprint = std::max(2.0 / (size.width * glm::length(rowLinear(camera.worldToClip, 0))),
                                     2.0 / (size.height * glm::length(rowLinear(camera.worldToClip, 1))));
+  params.footprint = static_cast<float>(footprint);
   params.positionLimit = static_cast<float>(limits.position);
   params.positionLimitFootprint = static_cast<float>(limits.positionFootprints * footprint);
   params.normalLimitSquared = static_cast<float>(limits.normalSquared);

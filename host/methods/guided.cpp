@@ -24,9 +24,9 @@ void addWindows(Schedule& table, const BoxFilter::Setup& planes, const std::stri
                 const std::string& to) {
   const std::string columns = to + "Columns";
   BoxFilter::Setup setup = planes;
-  add(table, BoxFilter(setup), {{"boxInput", from}, {"boxSums", columns}});
+  add(table, BoxFilter(setup), {{"boxInput", from}, {"boxOutput", columns}});
   setup.alongRows = true;
-  add(table, BoxFilter(setup), {{"boxInput", columns}, {"boxSums", to}});
+  add(table, BoxFilter(setup), {{"boxInput", columns}, {"boxOutput", to}});
 }
 
 Schedule makeSchedule(const Configuration& configuration, const GuidedSettings& s) {

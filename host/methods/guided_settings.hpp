@@ -26,12 +26,15 @@ inline SettingTable<GuidedSettings> guidedSettings() {
   table
       .add("radius", &S::radius, 4, {1, 64, "pixels"},
            "windows reach so far to either side, rounded to whole cells",
-           "sweep, docs/guided-sweep.md; Koskela et al. 2019, section 6.2: 12 for direct light, 24 for indirect")
+           "sweep, docs/guided-sweep.md; Koskela et al. 2019, section 6.2: 12 for direct light, 24 for "
+           "indirect")
       .paper(12);
   table
-      .add("epsilon", &S::epsilon, 0.001, {1e-4, 10.0, "squared units of the normal, squared shares of depth"},
+      .add("epsilon", &S::epsilon, 0.001,
+           {1e-4, 10.0, "squared units of the normal, squared shares of depth"},
            "added to the variance of the guides: what varies less is smoothed",
-           "sweep, docs/guided-sweep.md; Bauszat et al. 2011, as Koskela et al. 2019, section 6.2, have it (0.01)")
+           "sweep, docs/guided-sweep.md; Bauszat et al. 2011, as Koskela et al. 2019, section 6.2, have it "
+           "(0.01)")
       .paper(0.01);
   table
       .addOneOf("subsampling", &S::subsampling, {2, 1, 4, 8}, "pixels",

@@ -8,6 +8,7 @@
   METHOD(quell)               \
   METHOD(bmfr)                \
   METHOD(svgf)                \
+  METHOD(edagi)               \
   METHOD(guided)              \
   METHOD(atrous)
 

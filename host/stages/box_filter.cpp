@@ -8,6 +8,7 @@ namespace quell {
 QUELL_PORTS(BoxFilterOptions, BOX_FILTER)
 
 BoxFilter::BoxFilter(const Setup& setup) : m_setup(setup) {
+  BOX_MINIMA = setup.minima ? 1 : 0;
   boxFloats = makePlanes(setup.grid).stride * setup.planes;
   boxElements = setup.grid.width * setup.grid.height * setup.planes;
 }

@@ -15,7 +15,8 @@ class BoxFilter : public KernelStage<BoxFilterOptions, BoxFilterParams> {
     Size grid;               ///< of each plane, elements
     int planes = 1;          ///< one after the other, each laid out as the planes of an image of that size
     int radius = 0;          ///< elements to either side, >= 0
-    bool alongRows = false;  ///< sums of neighbours in a row, else in a column
+    bool alongRows = false;  ///< neighbours in a row, else in a column
+    bool minima = false;     ///< the least of them, else their sums
     std::string what;        ///< for the label
   };
   explicit BoxFilter(const Setup& setup);

@@ -11,7 +11,7 @@ QUELL_PORTS(GuidedEvaluateOptions, GUIDED_EVALUATE)
 GuidedEvaluate::GuidedEvaluate(const Configuration& configuration, int subsampling, bool skip) {
   QUELL_SIGNALS = signalCount(configuration.frame);
   SUBSAMPLING = subsampling;
-  setCellSizes<GuidedEvaluateOptions>(*this, configuration.size(), subsampling);
+  setCellSizes<GuidedEvaluateOptions>(*this, guidedCells(configuration.size(), subsampling));
   setSkipOptions<GuidedEvaluateOptions>(*this, configuration, skip);
 }
 

@@ -15,7 +15,7 @@ GuidedMoments::GuidedMoments(const Configuration& configuration, int subsampling
   QUELL_SIGNALS = signalCount(configuration.frame);
   SUBSAMPLING = subsampling;
   TAP_WEIGHTS = tapWeights ? 1 : 0;
-  setCellSizes<GuidedMomentsOptions>(*this, configuration.size(), subsampling);
+  setCellSizes<GuidedMomentsOptions>(*this, guidedCells(configuration.size(), subsampling));
   setSkipOptions<GuidedMomentsOptions>(*this, configuration, skip);
 }
 

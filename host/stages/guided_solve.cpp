@@ -12,7 +12,7 @@ GuidedSolve::GuidedSolve(const Configuration& configuration, int subsampling, do
     : m_subsampling(subsampling), m_epsilon(epsilon) {
   QUELL_SIGNALS = signalCount(configuration.frame);
   QUELL_FEATURES = QUELL_GUIDED_FEATURES;
-  setCellSizes<GuidedSolveOptions>(*this, configuration.size(), subsampling);
+  setCellSizes<GuidedSolveOptions>(*this, guidedCells(configuration.size(), subsampling));
 }
 
 GuidedParams GuidedSolve::params(const FrameRun& run) const {

@@ -29,6 +29,7 @@ typedef struct ReprojectionParams {
   QuellFloat4 rayX;
   QuellFloat4 rayY;
   QuellFloat4 rayOrigin;
+  QuellFloat footprint;      // of a pixel per clip.w, scene units
   QuellFloat positionLimit;  // largest accepted distance, scene units, added to the one in footprints
   QuellFloat positionLimitFootprint;  // largest accepted distance per clip.w, scene units
   QuellFloat normalLimitSquared;      // largest accepted squared difference of unit normals

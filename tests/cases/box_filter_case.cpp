@@ -30,7 +30,7 @@ BoxFilterCase::BoxFilterCase(const CaseOptions& options, BoxPass pass, const Gui
 void BoxFilterCase::upload() { m_harness.upload("boxInput", packCells(input)); }
 
 Planes BoxFilterCase::sums() const {
-  return unpackCells(m_harness.download("boxSums"), input.size(), input.count);
+  return unpackCells(m_harness.download("boxOutput"), input.size(), input.count);
 }
 
 Comparison BoxFilterCase::compare() {

@@ -158,7 +158,7 @@ TEST_CASE("denoise takes two signals where the sequence has them", "[cli]") {
   const TemporaryDirectory directory;
   const std::string input = directory.path(), json = directory.path() + "/report.json";
   writeTwoSignals(input);
-  for (const char* method : {"bmfr", "svgf", "guided", "atrous"}) {
+  for (const char* method : {"bmfr", "svgf", "edagi", "guided", "atrous"}) {
     const auto hashOf = [&](const char* signals) {
       REQUIRE(quell({"denoise", "--method", method, "--input", input, "--signals", signals, "--output",
                      directory.path() + "/out", "--json", json}) == 0);

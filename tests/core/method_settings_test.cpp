@@ -7,6 +7,7 @@
 
 #include "host/methods/atrous_settings.hpp"
 #include "host/methods/bmfr_settings.hpp"
+#include "host/methods/edagi_settings.hpp"
 #include "host/methods/guided_settings.hpp"
 #include "host/methods/method.hpp"
 #include "host/methods/quell_settings.hpp"
@@ -73,6 +74,21 @@ const Readers<BmfrSettings> kBmfr = {READ(noisyLeastWeight), READ(filteredLeastW
 const Readers<SvgfSettings> kSvgf = {
     READ(irradianceLeastWeight),  READ(momentsLeastWeight), READ(feedback),
     READ(temporalVarianceFrames), READ(keepLight),          READ(fireflyRatio)};
+const Readers<EdagiSettings> kEdagi = {READ_AS("hysteresis", history.hysteresis),
+                                       READ_AS("meanFirst", history.meanFirst),
+                                       READ_AS("nearFootprints", history.nearFootprints),
+                                       READ_AS("farFootprints", history.farFootprints),
+                                       READ_AS("nearDistance", history.nearDistance),
+                                       READ_AS("farDistance", history.farDistance),
+                                       READ_AS("clampSigma", history.clampSigma),
+                                       READ(historyRadiusShare),
+                                       READ(suppressFireflies),
+                                       READ(radiusShare),
+                                       READ(lowConfidenceFactor),
+                                       READ(glossySigma),
+                                       READ_AS("depthSigma", stops.depthSigma),
+                                       READ_AS("normalPower", stops.normalPower),
+                                       READ_AS("roughnessSigma", stops.roughnessSigma)};
 const Readers<GuidedSettings> kGuided = {READ(irradianceLeastWeight), READ(fireflyRatio), READ(radius),
                                          READ(epsilon), READ_AS("subsampling", subsampling / 2 - 1)};
 const Readers<AtrousSettings> kAtrous = {READ(skip), READ(demodulate), READ_AS("toneMap", display.toneMap),
@@ -116,6 +132,7 @@ TEST_CASE("every setting arrives in a member of its own", "[core]") {
              kQuell + filterReaders<QuellSettings>() + commonReaders<QuellSettings>());
   checkTable("bmfr", bmfrSettings(), kBmfr + commonReaders<BmfrSettings>());
   checkTable("svgf", svgfSettings(), kSvgf + filterReaders<SvgfSettings>() + commonReaders<SvgfSettings>());
+  checkTable("edagi", edagiSettings(), kEdagi + commonReaders<EdagiSettings>());
   checkTable("guided", guidedSettings(), kGuided + commonReaders<GuidedSettings>());
   checkTable("atrous", atrousSettings(), kAtrous + filterReaders<AtrousSettings>());
 }

@@ -26,12 +26,18 @@
 #include "kernels/guided_params.h"
 #include "kernels/import_image_params.h"
 #include "kernels/light_params.h"
+#include "kernels/low_confidence_params.h"
 #include "kernels/material_guides_params.h"
+#include "kernels/median_filter_params.h"
 #include "kernels/remodulate_params.h"
 #include "kernels/render/scene_params.h"
 #include "kernels/resample_history_params.h"
+#include "kernels/separable_bilateral_params.h"
+#include "kernels/soft_history_params.h"
+#include "kernels/sparse_bilateral_params.h"
 #include "kernels/temporal_antialiasing_params.h"
 #include "kernels/variance_params.h"
+#include "kernels/virtual_motion_params.h"
 #include "tests/support/small_denoiser.hpp"
 
 namespace quell::tests {
@@ -58,11 +64,17 @@ namespace {
   X("guided_params.h", GuidedParams, epsilon)                                          \
   X("import_image_params.h", ImportImageParams, depthSlope)                            \
   X("light_params.h", LightParams, tilesY)                                             \
+  X("low_confidence_params.h", LowConfidenceParams, cells)                             \
   X("material_guides_params.h", MaterialGuidesParams, images)                          \
+  X("median_filter_params.h", MedianFilterParams, planes)                              \
   X("remodulate_params.h", RemodulateParams, tilesY)                                   \
   X("resample_history_params.h", ResampleHistoryParams, planeCount)                    \
+  X("separable_bilateral_params.h", SeparableBilateralParams, alongRows)               \
+  X("soft_history_params.h", SoftHistoryParams, trustsMotion)                          \
+  X("sparse_bilateral_params.h", SparseBilateralParams, sine)                          \
   X("temporal_antialiasing_params.h", TemporalAntialiasingParams, antialiasBackground) \
   X("variance_params.h", VarianceParams, temporalFrames)                               \
+  X("virtual_motion_params.h", VirtualMotionParams, parallel)                          \
   X("render/scene_params.h", RenderPrimitive, light)                                   \
   X("render/scene_params.h", RenderTexture, high)                                      \
   X("render/scene_params.h", RenderMaterial, bumpTexture)                              \

@@ -70,7 +70,7 @@ TEST_CASE("leaving out background changes no picture", "[pipelines]") {
 TEST_CASE("leaving out background changes no picture of any method", "[pipelines][.long]") {
   const auto sequence = sequenceWithSky();
   for (const Variant& variant : {Variant{"bmfr", false, true}, Variant{"svgf"}, Variant{"guided"},
-                                 Variant{"atrous"}, Variant{"quell"}})
+                                 Variant{"edagi", true}, Variant{"atrous"}, Variant{"quell"}})
     for (const bool jittered : {false, true}) checkSkip(*sequence, variant, jittered);
 }
 
