@@ -50,7 +50,7 @@ typedef struct SparseSums {
   floatL weight;
 } SparseSums;
 
-// Adds QUELL_LANES taps at (column, row), each dx and dy pixels away from its centre.
+// Adds the taps of QUELL_LANES pixels, from (column, row) on.
 QUELL_INLINE SparseSums addSparseTaps(SparseSums sums, FilterCentre centre, __global const float* values,
                                       __global const float* guides, __global const float* viewDepth,
                                       SparseBilateralParams params, int column, int row,

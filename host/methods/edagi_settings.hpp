@@ -84,9 +84,9 @@ inline SettingTable<EdagiSettings> edagiSettings() {
            "sweep, docs/edagi-sweep.md; Mara et al. 2017, section 3.4 (6)")
       .paper(6.0);
   table
-      .add("glossySigma", &S::glossySigma, 7.0, {0.01, 14.0, "pixels"},
+      .add("glossySigma", &S::glossySigma, 2.0, {0.01, 14.0, "pixels"},
            "deviation of the glossy filter at roughness 1; follows its tenth root",
-           "Mara et al. 2017, section 3.4")
+           "sweep, docs/edagi-sweep.md; Mara et al. 2017, section 3.4 (7)")
       .paper(7.0);
   table.include(&S::stops, edgeStopSettings());
   table.include(&S::common, commonSettings());

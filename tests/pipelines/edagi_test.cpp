@@ -2,9 +2,7 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
-#include "host/io/frame_sequence.hpp"
-#include "host/metrics/report.hpp"
-#include "tests/pipelines/signal_images.hpp"
+#include "tests/pipelines/colonnade.hpp"
 #include "tests/support/error_matcher.hpp"
 
 namespace quell::tests {
@@ -20,21 +18,6 @@ Settings withSetting(const std::string& name, const std::string& value) {
   Settings settings("edagi");
   settings.set(name, value);
   return settings;
-}
-
-metrics::ErrorFigures errorsOnColonnade(const Settings& settings) {
-  const auto sequence = io::openSequence(std::string(QUELL_DATA_DIR) + "/colonnade");
-  const auto reference = sequence->reference(15, io::ReferenceKind::Centre);
-  return metrics::compareToReference(
-      denoiseSequence(*sequence, sequence->frames(), settings).frames.back().linear, false, reference.a,
-      reference.b);
-}
-
-void checkClean(const DenoisedSequence& result) {
-  for (const cli::DenoisedFrame& frame : result.frames) {
-    CHECK(isClean(frame.linear, kMostRadiance));
-    CHECK(isClean(frame.display, 1.0f));
-  }
 }
 
 void addHits(io::FrameData& frame) {

@@ -1,9 +1,7 @@
 // The whole method guided: real data against references, constants, broken pixels, two signals.
 #include <catch2/catch.hpp>
 
-#include "host/io/frame_sequence.hpp"
-#include "host/metrics/report.hpp"
-#include "tests/pipelines/signal_images.hpp"
+#include "tests/pipelines/colonnade.hpp"
 
 namespace quell::tests {
 namespace {
@@ -14,21 +12,6 @@ constexpr double kSsim = 0.790;
 constexpr double kPaperUnbiasedRmse = 0.1079;
 // Regression takes sums of squares apart, so a constant comes back with four digits.
 constexpr double kConstantError = 1e-3;
-
-metrics::ErrorFigures errorsOnColonnade(const Settings& settings) {
-  const auto sequence = io::openSequence(std::string(QUELL_DATA_DIR) + "/colonnade");
-  const auto reference = sequence->reference(15, io::ReferenceKind::Centre);
-  return metrics::compareToReference(
-      denoiseSequence(*sequence, sequence->frames(), settings).frames.back().linear, false, reference.a,
-      reference.b);
-}
-
-void checkClean(const DenoisedSequence& result) {
-  for (const cli::DenoisedFrame& frame : result.frames) {
-    CHECK(isClean(frame.linear, kMostRadiance));
-    CHECK(isClean(frame.display, 1.0f));
-  }
-}
 
 }  // namespace
 

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "host/io/frame_sequence.hpp"
-#include "host/metrics/report.hpp"
-#include "tests/pipelines/signal_images.hpp"
+#include "tests/pipelines/colonnade.hpp"
 
 namespace quell::tests {
 namespace {
@@ -31,13 +29,6 @@ Settings withSetting(const std::string& method, const std::string& name, const s
   Settings settings(method);
   settings.set(name, value);
   return settings;
-}
-
-void checkClean(const DenoisedSequence& result) {
-  for (const cli::DenoisedFrame& frame : result.frames) {
-    CHECK(isClean(frame.linear, kMostRadiance));
-    CHECK(isClean(frame.display, 1.0f));
-  }
 }
 
 }  // namespace
