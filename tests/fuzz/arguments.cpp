@@ -12,7 +12,7 @@ void read(const std::uint8_t* bytes, std::size_t count) {
   for (const char* image : {"color", "depth", "motion"}) attempt([&] { io::parseSources(image, text); });
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) return;
-  for (const char* method : {"quell", "bmfr", "svgf", "atrous"})
+  for (const std::string& method : methodNames())
     attempt([&] { Settings(method).set(text.substr(0, equals), text.substr(equals + 1)); });
 }
 
