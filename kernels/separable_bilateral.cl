@@ -6,14 +6,10 @@
 // Out:     of this signal, filtered irradiance.
 // Border:  taps outside the image are left out. A pixel without a sample takes what its neighbours have.
 // Departures: edge stops are those of common/edge_stops.h instead of the distance from the plane.
+#include "common/bilateral.h"
 #include "common/edge_stops.h"
 #include "common/surfaces.h"
 #include "separable_bilateral_ports.h"
-
-typedef struct SeparableSums {
-  float3L value;
-  floatL weight;
-} SeparableSums;
 
 __kernel void separable_bilateral(STAGE_ARGUMENTS(SEPARABLE_BILATERAL) SeparableBilateralParams params) {
   BEGIN_PIXELS(params.planes);
@@ -29,7 +25,7 @@ __kernel void separable_bilateral(STAGE_ARGUMENTS(SEPARABLE_BILATERAL) Separable
   const floatL sigma = (floatL)(params.sigma + QUELL_SEPARABLE_LEAST_SIGMA);
 #endif
   const floatL rate = 0.5f / (sigma * sigma);
-  SeparableSums sums = {splat3(0.0f), ZERO_LANES};
+  BilateralSums sums = {splat3(0.0f), ZERO_LANES};
   for (int tap = -QUELL_SEPARABLE_REACH; tap <= QUELL_SEPARABLE_REACH; ++tap) {
     const int column = params.alongRows ? x + tap : x;
     const int row = params.alongRows ? y : y + tap;
@@ -44,13 +40,7 @@ __kernel void separable_bilateral(STAGE_ARGUMENTS(SEPARABLE_BILATERAL) Separable
       penalty += roughnessPenalty(centre, loadLanes(roughness + at));
 #endif
     }
-    const floatL own = loadLanes(weights + at);
-    const intL counts = insideColumns(planes, column + LANE_INDEX) && own > 0.0f;
-    const floatL weight = counts ? own * weightOfPenalty(penalty) : ZERO_LANES;
-    sums.value =
-        add3(sums.value, select3(counts, scale3(loadLanes3(values, at, stride), weight), splat3(0.0f)));
-    sums.weight += weight;
+    sums = addBilateralTaps(sums, values, weights, planes, column, at, penalty, 1.0f);
   }
-  const floatL inverse = sums.weight > QUELL_LEAST_WEIGHT_SUM ? 1.0f / sums.weight : ZERO_LANES;
-  storeLanes3(scale3(sums.value, inverse), separableOutput + 3 * QUELL_SIGNAL * stride, index, stride);
+  storeLanes3(bilateralMean(sums), separableOutput + 3 * QUELL_SIGNAL * stride, index, stride);
 }

@@ -9,6 +9,7 @@
 // Departures: taps lie on a sunflower's spiral that turns from frame to frame, at whole pixels; edge stops are those of
 //          common/edge_stops.h instead of the distance from the plane; what the radius follows is one for all pixels of a
 //          cell of low_confidence.
+#include "common/bilateral.h"
 #include "common/edge_stops.h"
 #include "common/sunflower.h"
 #include "common/surfaces.h"
@@ -45,37 +46,13 @@ QUELL_INLINE int2 tapOffsetOf(SparseBilateralParams params, int tap, int steps) 
 #define FIRST_TAP_FALLOFF 0.980198673f
 #define NEXT_TAP_FALLOFF 0.960789439f
 
-typedef struct SparseSums {
-  float3L value;
-  floatL weight;
-} SparseSums;
-
-// Adds the taps of QUELL_LANES pixels, from (column, row) on.
-QUELL_INLINE SparseSums addSparseTaps(SparseSums sums, FilterCentre centre, __global const float* values,
-                                      __global const float* guides, __global const float* viewDepth,
-                                      SparseBilateralParams params, int column, int row,
-                                      float inverseDistance, float falloff) {
-  const PlaneParams planes = params.planes;
-  const int stride = planes.stride;
-  const int index = planeIndex(planes, column, row);
-  const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * stride, index, stride);
-  const floatL penalty =
-      surfacePenalty(centre, params.stops, normal, loadLanes(viewDepth + index), inverseDistance);
-  const floatL own = loadLanes(guides + QUELL_GUIDE_WEIGHT * stride + index);
-  const intL counts = insideColumns(planes, column + LANE_INDEX) && own > 0.0f;
-  const floatL weight = counts ? falloff * own * weightOfPenalty(penalty) : ZERO_LANES;
-  sums.value =
-      add3(sums.value, select3(counts, scale3(loadLanes3(values, index, stride), weight), splat3(0.0f)));
-  sums.weight += weight;
-  return sums;
-}
-
 __kernel void sparse_bilateral(STAGE_ARGUMENTS(SPARSE_BILATERAL) SparseBilateralParams params) {
   BEGIN_PIXELS(params.planes);
   LEAVE_OUT_BACKGROUND(NOTHING_ELSE)
   const FilterCentre centre = loadCentre(guides, viewDepth, viewDepth, planes, params.stops, x, y);
-  const floatL own = loadLanes(guides + QUELL_GUIDE_WEIGHT * stride + index);
-  SparseSums sums = {scale3(loadLanes3(sparseInput, index, stride), own), own};
+  __global const float* weights = guides + QUELL_GUIDE_WEIGHT * stride;
+  const floatL own = loadLanes(weights + index);
+  BilateralSums sums = {scale3(loadLanes3(sparseInput, index, stride), own), own};
   const float radius = radiusAt(params, cellConfidence, windowConfidence, x, y);
   const int steps = (int)(min(radius, QUELL_SPARSE_MOST_RADIUS) * (float)QUELL_SPARSE_STEPS);
   float falloff = FIRST_TAP_FALLOFF;
@@ -84,11 +61,15 @@ __kernel void sparse_bilateral(STAGE_ARGUMENTS(SPARSE_BILATERAL) SparseBilateral
     const int column = x + offset.x;
     const int row = y + offset.y;
     if ((offset.x != 0 || offset.y != 0) && row >= 0 && row < planes.height && column + QUELL_LANES > 0 &&
-        column < planes.width)
-      sums = addSparseTaps(sums, centre, sparseInput, guides, viewDepth, params, column, row,
-                           1.0f / sqrt((float)(offset.x * offset.x + offset.y * offset.y)), falloff);
+        column < planes.width) {
+      const int at = planeIndex(planes, column, row);
+      const float inverseDistance = 1.0f / sqrt((float)(offset.x * offset.x + offset.y * offset.y));
+      const float3L normal = loadLanes3(guides + QUELL_GUIDE_NORMAL * stride, at, stride);
+      const floatL penalty =
+          surfacePenalty(centre, params.stops, normal, loadLanes(viewDepth + at), inverseDistance);
+      sums = addBilateralTaps(sums, sparseInput, weights, planes, column, at, penalty, falloff);
+    }
     falloff *= NEXT_TAP_FALLOFF;
   }
-  const floatL inverse = sums.weight > QUELL_LEAST_WEIGHT_SUM ? 1.0f / sums.weight : ZERO_LANES;
-  storeLanes3(scale3(sums.value, inverse), sparseOutput, index, stride);
+  storeLanes3(bilateralMean(sums), sparseOutput, index, stride);
 }

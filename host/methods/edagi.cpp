@@ -12,7 +12,6 @@
 #include "host/methods/method.hpp"
 #include "host/methods/method_table.hpp"
 #include "host/stages/accumulate_noisy.hpp"
-#include "host/stages/box_filter.hpp"
 #include "host/stages/confidence_cells.hpp"
 #include "host/stages/low_confidence.hpp"
 #include "host/stages/median_filter.hpp"
@@ -45,6 +44,20 @@ SoftHistory::Setup historySetup(const EdagiSettings& settings, int signal) {
   return setup;
 }
 
+// Stage 3 or 8; `history`: the buffer that was left for this frame.
+void addHistory(Schedule& table, const Configuration& configuration, const EdagiSettings& s, int signal,
+                bool virtualPositions, const std::string& history) {
+  SoftHistory::Setup setup = historySetup(s, signal);
+  setup.virtualPositions = virtualPositions;
+  const std::string positions = virtualPositions ? "virtualPositions" : "guides";
+  add(table, SoftHistory(configuration, setup),
+      {{"positions", positions},
+       {"positionsPrev", positions},
+       {"tapMask", virtualPositions ? "virtualMask" : "reprojectionMask"},
+       {"pixelPrev", virtualPositions ? "virtualPixelPrev" : "pixelPrev"},
+       {"historyPrev", history}});
+}
+
 // The newest samples alone, and where their surfaces were.
 void addSamples(Schedule& table, const Configuration& configuration, const EdagiSettings& s) {
   AccumulateNoisy::Setup setup;
@@ -59,25 +72,19 @@ void addSamples(Schedule& table, const Configuration& configuration, const Edagi
 void addLowConfidence(Schedule& table, const Configuration& configuration, const EdagiSettings& s) {
   add(table, LowConfidence(configuration));
   const double radius = s.radiusShare * configuration.size().width;
-  BoxFilter::Setup setup;
-  setup.grid = confidenceCells(configuration.size());
-  setup.minima = true;
-  setup.what = "confidence";
-  setup.radius = static_cast<int>(radius / QUELL_CONFIDENCE_CELL_HEIGHT + 0.5);
-  add(table, BoxFilter(setup), {{"boxInput", "cellConfidence"}, {"boxOutput", "columnConfidence"}});
-  setup.radius = static_cast<int>(radius / QUELL_CONFIDENCE_CELL_WIDTH + 0.5);
-  setup.alongRows = true;
-  add(table, BoxFilter(setup), {{"boxInput", "columnConfidence"}, {"boxOutput", "windowConfidence"}});
+  BoxFilter::Setup cells;
+  cells.grid = confidenceCells(configuration.size());
+  cells.minima = true;
+  cells.what = "confidence";
+  const auto reach = [&](int pixels) { return static_cast<int>(radius / pixels + 0.5); };
+  addWindows(table, cells, {reach(QUELL_CONFIDENCE_CELL_WIDTH), reach(QUELL_CONFIDENCE_CELL_HEIGHT)},
+             "cellConfidence", "windowConfidence");
 }
 
 // Stages 3 to 7.
 void addMatte(Schedule& table, const Configuration& configuration, const EdagiSettings& s) {
   const bool skip = s.common.skip;
-  add(table, SoftHistory(configuration, historySetup(s, kMatte)),
-      {{"positions", "guides"},
-       {"positionsPrev", "guides"},
-       {"tapMask", "reprojectionMask"},
-       {"historyPrev", "history"}});
+  addHistory(table, configuration, s, kMatte, false, "history");
   SparseBilateral::Setup disc;
   disc.stops = s.stops;
   disc.radiusShare = s.historyRadiusShare;
@@ -95,24 +102,9 @@ void addMatte(Schedule& table, const Configuration& configuration, const EdagiSe
 
 // Stages 8 to 10.
 void addGlossy(Schedule& table, const Configuration& configuration, const EdagiSettings& s) {
-  const bool virtualPositions = configuration.frame.hitDistance.present();
-  SoftHistory::Setup history = historySetup(s, kGlossy);
-  history.virtualPositions = virtualPositions;
-  if (virtualPositions) {
-    add(table, VirtualMotion(configuration, s.common.skip));
-    add(table, SoftHistory(configuration, history),
-        {{"positions", "virtualPositions"},
-         {"positionsPrev", "virtualPositions"},
-         {"tapMask", "virtualMask"},
-         {"pixelPrev", "virtualPixelPrev"},
-         {"historyPrev", "blended"}});
-  } else {
-    add(table, SoftHistory(configuration, history),
-        {{"positions", "guides"},
-         {"positionsPrev", "guides"},
-         {"tapMask", "reprojectionMask"},
-         {"historyPrev", "blended"}});
-  }
+  const bool hits = configuration.frame.hitDistance.present();
+  if (hits) add(table, VirtualMotion(configuration, s.common.skip));
+  addHistory(table, configuration, s, kGlossy, hits, "blended");
   SeparableBilateral::Setup pass;
   pass.stops = s.stops;
   pass.signal = kGlossy;

@@ -3,14 +3,12 @@
 // Departures: depth counts relative to that of the window (kernels/guided_solve.cl); one radius for all light instead of one
 // for direct and one for indirect; fireflies have less weight (fireflyRatio).
 #include <algorithm>
-#include <string>
 
 #include "host/core/frame_images.hpp"
 #include "host/methods/guided_settings.hpp"
 #include "host/methods/method.hpp"
 #include "host/methods/method_table.hpp"
 #include "host/stages/accumulate_noisy.hpp"
-#include "host/stages/box_filter.hpp"
 #include "host/stages/firefly_weights.hpp"
 #include "host/stages/guided_evaluate.hpp"
 #include "host/stages/guided_moments.hpp"
@@ -18,16 +16,6 @@
 
 namespace quell {
 namespace {
-
-// Sums over square windows of cells, from one buffer to another.
-void addWindows(Schedule& table, const BoxFilter::Setup& planes, const std::string& from,
-                const std::string& to) {
-  const std::string columns = to + "Columns";
-  BoxFilter::Setup setup = planes;
-  add(table, BoxFilter(setup), {{"boxInput", from}, {"boxOutput", columns}});
-  setup.alongRows = true;
-  add(table, BoxFilter(setup), {{"boxInput", columns}, {"boxOutput", to}});
-}
 
 Schedule makeSchedule(const Configuration& configuration, const GuidedSettings& s) {
   const bool skip = s.common.skip, tapWeights = s.fireflyRatio > 0.0;
@@ -43,15 +31,15 @@ Schedule makeSchedule(const Configuration& configuration, const GuidedSettings& 
   const int signals = signalCount(configuration.frame);
   BoxFilter::Setup windows;
   windows.grid = guidedCells(configuration.size(), s.subsampling);
-  windows.radius = std::max(1, (s.radius + s.subsampling / 2) / s.subsampling);
+  const int radius = std::max(1, (s.radius + s.subsampling / 2) / s.subsampling);
   add(table, GuidedMoments(configuration, s.subsampling, tapWeights, skip));
   windows.what = "moments";
   windows.planes = QUELL_GUIDED_SUMS * signals;
-  addWindows(table, windows, "moments", "windowMoments");
+  addWindows(table, windows, {radius, radius}, "moments", "windowMoments");
   add(table, GuidedSolve(configuration, s.subsampling, s.epsilon));
   windows.what = "coefficients";
   windows.planes = QUELL_GUIDED_COEFFICIENTS * signals;
-  addWindows(table, windows, "coefficients", "windowCoefficients");
+  addWindows(table, windows, {radius, radius}, "coefficients", "windowCoefficients");
   add(table, GuidedEvaluate(configuration, s.subsampling, skip));
   addOutputStages(table, configuration, "guidedIrradiance", s.common.antialiasing, skip,
                   BackgroundAntialiasing::Always);

@@ -22,6 +22,17 @@ std::vector<Wire> atrousWires(const FilterLevel& in, const FilterLevel& out) {
           {"filteredVariance", out.variance}};
 }
 
+void addWindows(Schedule& table, const BoxFilter::Setup& planes, std::array<int, 2> radius,
+                const std::string& from, const std::string& to) {
+  const std::string columns = to + "Columns";
+  BoxFilter::Setup setup = planes;
+  setup.radius = radius[1];
+  add(table, BoxFilter(setup), {{"boxInput", from}, {"boxOutput", columns}});
+  setup.radius = radius[0];
+  setup.alongRows = true;
+  add(table, BoxFilter(setup), {{"boxInput", columns}, {"boxOutput", to}});
+}
+
 void addLightGain(Schedule& table, const Configuration& configuration, const std::string& filtered) {
   add(table, LightSums(configuration), {{"filtered", filtered}});
   add(table, LightGain(configuration));

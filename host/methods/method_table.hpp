@@ -1,6 +1,7 @@
 // What a method's table is written with.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "host/core/schedule.hpp"
 #include "host/core/stage.hpp"
 #include "host/methods/common_settings.hpp"
+#include "host/stages/box_filter.hpp"
 
 namespace quell {
 
@@ -28,6 +30,11 @@ struct FilterLevel {
 FilterLevel levelAfter(int iteration);
 /// The wires of an iteration of the stage atrous.
 std::vector<Wire> atrousWires(const FilterLevel& in, const FilterLevel& out);
+
+/// Adds the lines that take sums or minima over windows, columns and then rows, from one buffer to another. `radius`: of
+/// elements in a row and in a column; those of `planes` do not count.
+void addWindows(Schedule& table, const BoxFilter::Setup& planes, std::array<int, 2> radius,
+                const std::string& from, const std::string& to);
 
 /// Adds the lines that measure what light the filter has lost, in the buffer `filtered`; the stage variance has written
 /// the luminance of the history.

@@ -1,5 +1,6 @@
 #include "host/stages/box_filter.hpp"
 
+#include "host/stages/cell_sizes.hpp"
 // After all others: short names.
 #include "host/core/port_columns.hpp"
 
@@ -22,9 +23,9 @@ BoxFilterParams BoxFilter::params(const FrameRun&) const {
 }
 
 std::array<std::size_t, 2> BoxFilter::range(const FrameRun& run) const {
-  const int lanes = run.configuration.device.lanes;
-  return {static_cast<std::size_t>((m_setup.grid.width + lanes - 1) / lanes),
-          static_cast<std::size_t>(m_setup.grid.height * m_setup.planes)};
+  std::array<std::size_t, 2> items = cellItems(m_setup.grid, run.configuration.device.lanes);
+  items[1] *= static_cast<std::size_t>(m_setup.planes);
+  return items;
 }
 
 }  // namespace quell

@@ -1,12 +1,8 @@
 #include "host/stages/guided_grid.hpp"
 
-#include "host/core/round_up.hpp"
-
 namespace quell {
 
-Size guidedCells(Size size, int subsampling) {
-  return {roundUp(size.width, subsampling) / subsampling, roundUp(size.height, subsampling) / subsampling};
-}
+Size guidedCells(Size size, int subsampling) { return cellsCovering(size, {subsampling, subsampling}); }
 
 GuidedParams makeGuidedParams(Size size, int subsampling, double epsilon) {
   GuidedParams params{};

@@ -24,10 +24,8 @@ GuidedParams GuidedMoments::params(const FrameRun& run) const {
 }
 
 std::array<std::size_t, 2> GuidedMoments::range(const FrameRun& run) const {
-  const Size cells = guidedCells(run.frame.size, SUBSAMPLING);
   const int cellsOfItem = std::max(1, run.configuration.device.lanes / SUBSAMPLING);
-  return {static_cast<std::size_t>((cells.width + cellsOfItem - 1) / cellsOfItem),
-          static_cast<std::size_t>(cells.height)};
+  return cellItems(guidedCells(run.frame.size, SUBSAMPLING), cellsOfItem);
 }
 
 }  // namespace quell

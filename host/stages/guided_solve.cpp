@@ -20,10 +20,7 @@ GuidedParams GuidedSolve::params(const FrameRun& run) const {
 }
 
 std::array<std::size_t, 2> GuidedSolve::range(const FrameRun& run) const {
-  const Size cells = guidedCells(run.frame.size, m_subsampling);
-  const int lanes = run.configuration.device.lanes;
-  return {static_cast<std::size_t>((cells.width + lanes - 1) / lanes),
-          static_cast<std::size_t>(cells.height)};
+  return cellItems(guidedCells(run.frame.size, m_subsampling), run.configuration.device.lanes);
 }
 
 }  // namespace quell

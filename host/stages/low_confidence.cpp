@@ -19,8 +19,7 @@ LowConfidenceParams LowConfidence::params(const FrameRun& run) const {
 }
 
 std::array<std::size_t, 2> LowConfidence::range(const FrameRun& run) const {
-  const Size cells = confidenceCells(run.frame.size);
-  return {static_cast<std::size_t>(cells.width), static_cast<std::size_t>(cells.height)};
+  return cellItems(confidenceCells(run.frame.size), 1);
 }
 
 }  // namespace quell

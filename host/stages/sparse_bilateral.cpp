@@ -12,7 +12,8 @@ namespace quell {
 namespace {
 
 // From frame to frame the pattern turns by the share of a turn that never repeats: the golden ratio's.
-constexpr double kTurnOfFrame = 0.61803398874989485 * 6.28318530717958648;
+constexpr double kTurnOfFrame = 0.61803398874989485;
+constexpr double kFullTurn = 6.28318530717958648;  // radians
 
 }  // namespace
 
@@ -33,7 +34,7 @@ SparseBilateralParams SparseBilateral::params(const FrameRun& run) const {
   params.stops = makeEdgeStopParams(m_setup.stops);
   params.radius = static_cast<float>(m_setup.radiusShare * run.frame.size.width);
   params.lowFactor = static_cast<float>(m_setup.lowFactor);
-  const double angle = std::fmod(run.frameIndex * kTurnOfFrame, 2.0 * 3.14159265358979323846);
+  const double angle = kFullTurn * std::fmod(run.frameIndex * kTurnOfFrame, 1.0);
   params.cosine = static_cast<int>(std::lround(QUELL_SUNFLOWER_UNIT * std::cos(angle)));
   params.sine = static_cast<int>(std::lround(QUELL_SUNFLOWER_UNIT * std::sin(angle)));
   return params;

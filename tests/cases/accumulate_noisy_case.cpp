@@ -210,8 +210,7 @@ Comparison AccumulateNoisyCase::compare() {
   Comparison comparison(leftOut());
   const AccumulateNoisyOutputs<float> device = outputs();
   const AccumulateNoisyExact exact = accumulateNoisyOracle(inputs, device.pixelPrev);
-  for (const char undecided : exact.undecided.values)
-    if (undecided) comparison.exclude();
+  comparison.exclude(exact.undecided);
   const auto* excluded = &exact.undecided;
   comparePixels(comparison, "irradiance", device.irradiance, exact.outputs.irradiance, excluded, nullptr,
                 lightUnit());

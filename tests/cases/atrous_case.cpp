@@ -61,8 +61,7 @@ void AtrousCase::upload() {
 Comparison AtrousCase::compare() {
   Comparison comparison(leftOut());
   const AtrousExact exact = atrousOracle(inputs);
-  for (const char undecided : exact.undecided.values)
-    if (undecided) comparison.exclude();
+  comparison.exclude(exact.undecided);
   comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided, nullptr,
                 lightUnit());
   if (filtersVariance())

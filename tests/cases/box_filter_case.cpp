@@ -2,7 +2,6 @@
 
 #include "kernels/guided_params.h"
 #include "tests/cases/cell_planes.hpp"
-#include "tests/oracle/guided_moments_oracle.hpp"
 #include "tests/support/random_images.hpp"
 
 namespace quell::tests {
@@ -22,7 +21,7 @@ bool alongRows(BoxPass pass) { return pass == BoxPass::MomentRows || pass == Box
 BoxFilterCase::BoxFilterCase(const CaseOptions& options, BoxPass pass, const GuidedVariant& variant)
     : StageCase("box_filter", makeBoxFilterSetup(options, pass, variant)),
       m_pass(pass),
-      m_radius((kGuidedRadius + variant.subsampling / 2) / variant.subsampling) {
+      m_radius(guidedCellRadius(variant.subsampling)) {
   const int planes = (ofMoments(pass) ? QUELL_GUIDED_SUMS : QUELL_GUIDED_COEFFICIENTS) * variant.signals;
   input = randomPlanes(cellsOf(options.size, variant.subsampling), planes, options.seed, -4.0, 4.0);
 }

@@ -64,8 +64,7 @@ Comparison DemodulateCase::compare() {
     compareFBeta(comparison, inputs, inputs.material.fBeta);
   }
   const DemodulateExact exact = demodulateOracle(inputs);
-  for (const char undecided : exact.undecided.values)
-    if (undecided) comparison.exclude();
+  comparison.exclude(exact.undecided);
   comparePixels(comparison, "irradiance", irradiance(), exact.irradiance, &exact.undecided, nullptr,
                 lightUnit());
   comparePixels(comparison, "guides", guides(), exact.guides, &exact.undecided);

@@ -72,8 +72,7 @@ Comparison FollowChangeCase::compare() {
   Comparison comparison(leftOut());
   const FollowChangeOutputs device = outputs();
   const FollowChangeExact exact = followChangeOracle(inputs);
-  for (const char undecided : exact.undecided.values)
-    if (undecided) comparison.exclude();
+  comparison.exclude(exact.undecided);
   ExactPlanes brightest(size(), 1);
   for (const Planes* planes : {&inputs.irradiance, &inputs.newestIrradiance})
     include(brightest, 0, *planes, 0, planes->count);

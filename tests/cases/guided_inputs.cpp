@@ -18,13 +18,18 @@ StageSetup makeGuidedSetup(const CaseOptions& options, const GuidedVariant& vari
   return setup;
 }
 
-Planes guidedIrradiance(const FilterGuides& guides, const CaseOptions& options, int signals) {
-  Planes irradiance = randomPlanes(options.size, 3 * signals, options.seed + 10, 0.0, 4.0);
+int guidedCellRadius(int subsampling) { return (kGuidedRadius + subsampling / 2) / subsampling; }
+
+GuidedMomentsInputs guidedPixels(const CaseOptions& options, const GuidedVariant& variant) {
+  const FilterGuides guides = randomGuides({variant.signals, false}, options);
+  GuidedMomentsInputs pixels{{}, guides.guides, guides.viewDepth, variant.subsampling};
+  pixels.irradiance = randomPlanes(options.size, 3 * variant.signals, options.seed + 10, 0.0, 4.0);
   forEachPixel(options.size, [&](int x, int y) {
     const float lit = std::abs(guides.guides.at(QUELL_GUIDE_NORMAL + 1, x, y));
-    for (int plane = 0; plane < irradiance.count; ++plane) irradiance.at(plane, x, y) *= 1.0f + lit;
+    for (int plane = 0; plane < pixels.irradiance.count; ++plane)
+      pixels.irradiance.at(plane, x, y) *= 1.0f + lit;
   });
-  return irradiance;
+  return pixels;
 }
 
 }  // namespace quell::tests

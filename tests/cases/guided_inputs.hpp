@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/cases/filter_inputs.hpp"
+#include "tests/oracle/guided_moments_oracle.hpp"
 
 namespace quell::tests {
 
@@ -16,7 +17,10 @@ constexpr int kGuidedRadius = 9;  // pixels
 
 StageSetup makeGuidedSetup(const CaseOptions& options, const GuidedVariant& variant);
 
-/// Random irradiance with edges where normals turn, as a filter finds it.
-Planes guidedIrradiance(const FilterGuides& guides, const CaseOptions& options, int signals);
+/// Of windows, in cells.
+int guidedCellRadius(int subsampling);
+
+/// Random irradiance with edges where normals turn, over the scene of filter_inputs.hpp.
+GuidedMomentsInputs guidedPixels(const CaseOptions& options, const GuidedVariant& variant);
 
 }  // namespace quell::tests

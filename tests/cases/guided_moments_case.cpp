@@ -6,13 +6,8 @@
 namespace quell::tests {
 
 GuidedMomentsCase::GuidedMomentsCase(const CaseOptions& options, const GuidedVariant& variant)
-    : StageCase("guided_moments", makeGuidedSetup(options, variant)) {
-  const FilterGuides guides = randomGuides({variant.signals, false}, options);
-  inputs.guides = guides.guides;
-  inputs.viewDepth = guides.viewDepth;
-  inputs.irradiance = guidedIrradiance(guides, options, variant.signals);
-  inputs.subsampling = variant.subsampling;
-}
+    : StageCase("guided_moments", makeGuidedSetup(options, variant)),
+      inputs(guidedPixels(options, variant)) {}
 
 void GuidedMomentsCase::upload() {
   m_harness.upload("irradiance", inputs.irradiance);

@@ -24,18 +24,13 @@ Planes sumWindows(const Planes& cells, int radius) {
 }  // namespace
 
 GuidedSolveCase::GuidedSolveCase(const CaseOptions& options, const GuidedVariant& variant)
-    : StageCase("guided_solve", makeGuidedSetup(options, variant)) {
-  const FilterGuides guides = randomGuides({variant.signals, false}, options);
-  pixels.guides = guides.guides;
-  pixels.viewDepth = guides.viewDepth;
-  pixels.irradiance = guidedIrradiance(guides, options, variant.signals);
-  pixels.subsampling = variant.subsampling;
+    : StageCase("guided_solve", makeGuidedSetup(options, variant)), pixels(guidedPixels(options, variant)) {
   m_inputs.epsilon = kGuidedEpsilon;
 }
 
 void GuidedSolveCase::upload() {
-  const int radius = (kGuidedRadius + pixels.subsampling / 2) / pixels.subsampling;
-  m_inputs.windowMoments = sumWindows(rounded(guidedMomentsOracle(pixels).sums), radius);
+  m_inputs.windowMoments =
+      sumWindows(rounded(guidedMomentsOracle(pixels).sums), guidedCellRadius(pixels.subsampling));
   m_harness.upload("windowMoments", packCells(m_inputs.windowMoments));
 }
 

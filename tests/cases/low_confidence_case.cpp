@@ -21,8 +21,7 @@ void LowConfidenceCase::upload() {
 }
 
 Planes LowConfidenceCase::cells() const {
-  return unpackCells(m_harness.download("cellConfidence"),
-                     {(size().width + 15) / 16, (size().height + 7) / 8}, 1);
+  return unpackCells(m_harness.download("cellConfidence"), confidenceCellsOf(size()), 1);
 }
 
 Comparison LowConfidenceCase::compare() {

@@ -50,8 +50,7 @@ void RemodulateCase::upload() {
 Comparison RemodulateCase::compare() {
   Comparison comparison(leftOut());
   const RemodulateExact exact = remodulateOracle(inputs);
-  for (const char undecided : exact.undecided.values)
-    if (undecided) comparison.exclude();
+  comparison.exclude(exact.undecided);
   if (m_to != RemodulateTo::AntialiasingOnly)
     compareOutput(comparison, m_harness, &Output::linear, exact.linear, &exact.undecided, &exact.magnitude,
                   lightUnit());

@@ -39,8 +39,7 @@ void SeparableBilateralCase::upload() {
 Comparison SeparableBilateralCase::compare() {
   Comparison comparison(leftOut());
   const SeparableBilateralExact exact = separableBilateralOracle(inputs);
-  for (const char undecided : exact.undecided.values)
-    if (undecided) comparison.exclude();
+  comparison.exclude(exact.undecided);
   comparePixels(comparison, "irradiance", filtered(), exact.irradiance, &exact.undecided, nullptr,
                 lightUnit());
   return comparison;

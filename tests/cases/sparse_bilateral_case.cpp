@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/cases/cell_planes.hpp"
+#include "tests/oracle/low_confidence_oracle.hpp"
 #include "tests/support/random_images.hpp"
 
 namespace quell::tests {
@@ -25,8 +26,7 @@ SparseBilateralCase::SparseBilateralCase(const CaseOptions& options, bool follow
   inputs.radius = settings.get(followsConfidence ? "radiusShare" : "historyRadiusShare") * options.size.width;
   inputs.lowFactor = settings.get("lowConfidenceFactor");
   if (!followsConfidence) return;
-  const Size cells{(options.size.width + 15) / 16, (options.size.height + 7) / 8};
-  inputs.cellConfidence = randomPlanes(cells, 1, options.seed + 20);
+  inputs.cellConfidence = randomPlanes(confidenceCellsOf(options.size), 1, options.seed + 20);
   inputs.windowConfidence = inputs.cellConfidence;
   Random random(options.seed + 21);
   for (float& least : inputs.windowConfidence.values) least *= float(random.integer(0, 1));
@@ -43,8 +43,7 @@ void SparseBilateralCase::upload() {
 Comparison SparseBilateralCase::compare() {
   Comparison comparison(leftOut());
   const SparseBilateralExact exact = sparseBilateralOracle(inputs);
-  for (const char undecided : exact.undecided.values)
-    if (undecided) comparison.exclude();
+  comparison.exclude(exact.undecided);
   comparePixels(comparison, "irradiance", filtered(), exact.irradiance, &exact.undecided, nullptr,
                 lightUnit());
   return comparison;

@@ -23,6 +23,11 @@ class Comparison {
   void include(const Comparison& other);
   /// A pixel on which float and double may decide differently: within rounding of a threshold.
   void exclude() { ++m_excluded; }
+  /// All pixels that are marked.
+  void exclude(const BasicPlanes<char>& marks) {
+    for (const char mark : marks.values)
+      if (mark) exclude();
+  }
 
   double largestError() const { return m_largestError; }
   std::size_t compared() const { return m_compared; }
